@@ -202,19 +202,21 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
                 Link  => (Law.Flown.Link with delta State => Link)));
       Inputs : constant URV.LAW_Steps.Inputs :=
         (Got with delta Commands => Commands, Has_Commands => Fresh);
-      Result : constant URV.LAW_Steps.Decision :=
-        URV.LAW_Steps.Decided (Before, Usual, Inputs);
+      Memory : URV.LAW_Steps.Kept := Before;
+      Result : URV.LAW_Steps.Decision;
    begin
       Marked_Is_Of (Commands, 0, Scans, From);
+      URV.LAW_Steps.Decide (Memory, Usual, Inputs, Result);
       Flown := Result.Flown;
-      Reported := Result.Surfaces.Reported;
+      Reported := Result.Reported;
       Added := Result.Added;
       pragma Assert
-        (URV.LAW_Steps.Is_Flight (Flown, Before.Flown, Usual.On, Inputs));
+        (URV.LAW_Steps.Is_Flight
+           (Flown, Before.Flown, Memory.Flown, Usual.On, Inputs));
       pragma Assert
         (Is_Of (URV.LAW_Steps.Commands_Of (Inputs), Scans, From));
-      Link := Flown.After.Link.State;
-      Heard := Flown.After.Heard;
+      Link := Memory.Flown.Link.State;
+      Heard := Memory.Flown.Heard;
       if Usual.On
         and then not Is_Old (URV.LAW_Steps.Commands_Of (Inputs))
       then

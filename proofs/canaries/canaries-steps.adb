@@ -20,8 +20,9 @@ package body Canaries.Steps with SPARK_Mode is
    procedure The_Stick_Is_Old_When_It_Was
      (Before : Kept; Usual : Settings; Got : Inputs; Result : out Decision)
    is
+      Unused_After : Kept := Before;
    begin
-      Result := Decided (Before, Usual, All_New (Got));
+      Decide (Unused_After, Usual, All_New (Got), Result);
    end The_Stick_Is_Old_When_It_Was;
 
    procedure An_Image_Of_Before_Is_Old (Image : AD_Image; Bits : Word)

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The flight of each axis in a frame, after the modes are decided (EXT-3,
---  EXT-8): its target, its output, its integrator. URV.Laws.Next calls Fly.
+--  EXT-8): its target, its output, its integrator. URV.Laws.Advance calls Fly.
 
 private package URV.Laws.Flying with Pure, SPARK_Mode is
 

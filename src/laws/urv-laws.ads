@@ -3,8 +3,8 @@
 --  The control laws, between the pilot's commands and the servos (EXT-3,
 --  EXT-5, EXT-8). docs/control-laws.md describes their flight.
 --
---     After := Next (Before, Commands, Sensors, By);
---     Flown := Output (After, Commands);
+--     Advance (Memory, Commands, Sensors, By);
+--     Flown := Output (Memory, Commands);
 --
 --  A law replaces four of the commands: roll, pitch, yaw, throttle. Figure 13
 --  converts the result to servo words, as it does the pilot's own commands.
@@ -224,88 +224,96 @@ package URV.Laws with Pure, SPARK_Mode is
        and then (if Allowed'Result.Power = Hold_Airspeed
                  then Checks (Airspeed).Is_Valid);
 
-   --  The memory after a frame. All of a law's work is in it.
-   function Next
-     (This     : Memory;
-      Commands : Uplink_Buffer;
-      Sensors  : Downlink_Buffer;
-      By       : Times;
-      Table    : Table_Number := 0) return Memory
+   --  The memory from frame to frame. All of a law's work is in it.
+   function Is_Frame
+     (Before, After : Memory;
+      Commands      : Uplink_Buffer;
+      Sensors       : Downlink_Buffer;
+      By            : Times) return Boolean
+   is
+     (After.Link =
+        Link_Loss.Next
+          (Before.Link, not Is_Old (Commands), Is_On (Commands (Switch_7)), By)
+      and then After.Checks = Sensor_Checks.Next (Before.Checks, Sensors)
+      and then
+        (if Is_Old (Commands) then After.Heard = Before.Heard
+         else After.Heard = Commands)
+      and then After.Is_Flying =
+        (if After.Link.State in Lost then Before.Is_Flying
+         else not Is_On_Ground (Sensor_Checks.Next (Before.Checks, Sensors)))
+      and then After.Flown =
+        (if Is_Disconnected (Commands) then All_Direct
+         else Allowed
+           (Wanted
+              (After.Link.State,
+               (if Is_Old (Commands) then Before.Heard else Commands),
+               After.Is_Flying),
+            Sensor_Checks.Next (Before.Checks, Sensors)))
+
+      --  No law flies after a disconnect, at once, and before the first
+      --  commands.
+      and then (if Is_Disconnected (Commands) then Is_All_Stick (After))
+      and then (if After.Link.State = Waiting then Is_All_Stick (After))
+
+      --  A law's output has moved within its rate limit, whatever the modes
+      --  were.
+      and then
+        (if not After.Is_Stick (Roll_Axis)
+         then abs (After.Last.Roll - Before.Last.Roll) <= Roll_Step)
+      and then
+        (if not After.Is_Stick (Pitch_Axis)
+         then abs (After.Last.Pitch - Before.Last.Pitch) <= Pitch_Step)
+      and then
+        (if not After.Is_Stick (Yaw_Axis)
+         then abs (After.Last.Yaw - Before.Last.Yaw) <= Yaw_Step)
+      and then
+        (if not After.Is_Stick (Throttle_Axis)
+         then abs (After.Last.Throttle - Before.Last.Throttle)
+                <= Throttle_Step)
+
+      --  A law of bank or pitch is within its authority, or moves towards it.
+      and then
+        (if After.Flown.Lateral in Banked
+         then abs After.Last.Roll <= Integer'Max
+                (Roll_Authority, abs Before.Last.Roll - Roll_Step))
+      and then
+        (if After.Flown.Vertical in Pitched
+         then abs After.Last.Pitch <= Integer'Max
+                (Pitch_Authority, abs Before.Last.Pitch - Pitch_Step))
+
+      --  Roll and pitch are trimmed the right way, by their own sensors.
+      and then
+        (if Before.Flown.Lateral in Banked
+           and then After.Flown.Lateral in Banked
+         then Moves_With
+           (Before.Roll_Trim, After.Roll_Trim,
+            Wanted   => After.Bank_Wanted,
+            Measured =>
+              Roll_Angle_Of (Word_Of (After.Checks, Roll_Attitude))))
+      and then
+        (if Before.Flown.Vertical in Pitched
+           and then After.Flown.Vertical in Pitched
+         then Moves_With
+           (Before.Pitch_Trim, After.Pitch_Trim,
+            Wanted   => After.Pitch_Wanted,
+            Measured =>
+              Pitch_Angle_Of (Word_Of (After.Checks, Pitch_Attitude)))))
+   with Ghost, Global => null;
+
+   procedure Advance
+     (This : in out Memory; Commands : Uplink_Buffer;
+      Sensors : Downlink_Buffer; By : Times; Table : Table_Number := 0)
    with
      Global => null,
-     Post   =>
-       Next'Result.Link =
-         Link_Loss.Next
-           (This.Link, not Is_Old (Commands), Is_On (Commands (Switch_7)), By)
-       and then Next'Result.Checks = Sensor_Checks.Next (This.Checks, Sensors)
-       and then (if Is_Old (Commands)
-                 then Next'Result.Heard = This.Heard
-                 else Next'Result.Heard = Commands)
-       and then Next'Result.Is_Flying =
-         (if Next'Result.Link.State in Lost then This.Is_Flying
-          else not Is_On_Ground (Sensor_Checks.Next (This.Checks, Sensors)))
-       and then Next'Result.Flown =
-         (if Is_Disconnected (Commands) then All_Direct
-          else Allowed
-            (Wanted
-               (Next'Result.Link.State,
-                (if Is_Old (Commands) then This.Heard else Commands),
-                Next'Result.Is_Flying),
-             Sensor_Checks.Next (This.Checks, Sensors)))
+     Post   => Is_Frame (This'Old, This, Commands, Sensors, By);
 
-       --  After a disconnect the outputs are the stick's own words at once.
-       and then (if Is_Disconnected (Commands)
-                 then Is_All_Stick (Next'Result))
-
-       --  Before the first commands no law flies.
-       and then (if Next'Result.Link.State = Waiting
-                 then Is_All_Stick (Next'Result))
-
-       --  A law's output has moved within its rate limit, whatever the modes
-       --  were.
-       and then
-         (if not Next'Result.Is_Stick (Roll_Axis)
-          then abs (Next'Result.Last.Roll - This.Last.Roll) <= Roll_Step)
-       and then
-         (if not Next'Result.Is_Stick (Pitch_Axis)
-          then abs (Next'Result.Last.Pitch - This.Last.Pitch) <= Pitch_Step)
-       and then
-         (if not Next'Result.Is_Stick (Yaw_Axis)
-          then abs (Next'Result.Last.Yaw - This.Last.Yaw) <= Yaw_Step)
-       and then
-         (if not Next'Result.Is_Stick (Throttle_Axis)
-          then abs (Next'Result.Last.Throttle - This.Last.Throttle) <=
-                 Throttle_Step)
-
-       --  A law of bank or pitch is within its authority, or moves towards it.
-       and then
-         (if Next'Result.Flown.Lateral in Banked
-          then abs Next'Result.Last.Roll <=
-                 Integer'Max
-                   (Roll_Authority, abs This.Last.Roll - Roll_Step))
-       and then
-         (if Next'Result.Flown.Vertical in Pitched
-          then abs Next'Result.Last.Pitch <=
-                 Integer'Max
-                   (Pitch_Authority, abs This.Last.Pitch - Pitch_Step))
-
-       --  Roll and pitch are trimmed the right way, by their own sensors.
-       and then
-         (if This.Flown.Lateral in Banked
-            and then Next'Result.Flown.Lateral in Banked
-          then Moves_With
-            (This.Roll_Trim, Next'Result.Roll_Trim,
-             Wanted   => Next'Result.Bank_Wanted,
-             Measured =>
-               Roll_Angle_Of (Word_Of (Next'Result.Checks, Roll_Attitude))))
-       and then
-         (if This.Flown.Vertical in Pitched
-            and then Next'Result.Flown.Vertical in Pitched
-          then Moves_With
-            (This.Pitch_Trim, Next'Result.Pitch_Trim,
-             Wanted   => Next'Result.Pitch_Wanted,
-             Measured =>
-               Pitch_Angle_Of (Word_Of (Next'Result.Checks, Pitch_Attitude))));
+   --  The same as a function, for theorems and tests.
+   function Next
+     (This : Memory; Commands : Uplink_Buffer; Sensors : Downlink_Buffer;
+      By : Times; Table : Table_Number := 0) return Memory
+   with
+     Global => null,
+     Post   => Is_Frame (This, Next'Result, Commands, Sensors, By);
 
    --  The commands after the laws, with the pilot's own words on each axis
    --  that is the stick's. If all are, it is the same message with its mark;

@@ -60,6 +60,95 @@ package body URV.Sensor_Checks with SPARK_Mode is
    function Rule_Of (Item : Sensor_Item) return Rule is
      (if Item in Law_Item then Rules (Item) else (0, Any, Any, Item, Any));
 
+   --  One check in place, each condition computed once.
+
+   procedure Take_Frame
+     (This : in out Check; Scan : Downlink_Buffer; Item : Sensor_Item)
+   with
+     Global => null,
+     Post   => This = After_Frame (This'Old, Scan, Item);
+
+   procedure Take_Gap (This : in out Check)
+   with
+     Global => null,
+     Post   => This = After_Gap (This'Old);
+
+   procedure Take_Word
+     (This : in out Check; Value, Witness : Word; By : Rule)
+   with
+     Global => null,
+     Post   => This = After_Scan (This'Old, Value, Witness, By);
+
+   procedure Take_Gap (This : in out Check) is
+   begin
+      This.Is_Valid := This.Is_Valid and then This.Bad < Bad_Scans - 1;
+      if This.Bad < Bad_Scans then
+         This.Bad := This.Bad + 1;
+      end if;
+      This.Good := 0;
+   end Take_Gap;
+
+   procedure Take_Word
+     (This : in out Check; Value, Witness : Word; By : Rule)
+   is
+      Stuck : constant Stuck_Count :=
+        Next_Stuck (This, Value, Witness, By);
+   begin
+      if Is_In_Range (Value, By)
+        and then Is_Slow (This, Value, By)
+        and then Stuck < Stuck_Scans
+      then
+         This.Is_Valid := This.Is_Valid or else This.Good >= Good_Scans - 1;
+         This.Used := Value;
+         This.Bad := 0;
+         if This.Good < Good_Scans then
+            This.Good := This.Good + 1;
+         end if;
+      else
+         This.Is_Valid := This.Is_Valid
+           and then This.Bad < Bad_Scans - 1
+           and then Stuck < Stuck_Scans;
+         if This.Bad < Bad_Scans then
+            This.Bad := This.Bad + 1;
+         end if;
+         This.Good := 0;
+      end if;
+      if not This.Is_Seen or else Value /= This.Anchor then
+         This.Witnessed := Witness;
+      end if;
+      This.Is_Seen := True;
+      This.Last := Value;
+      This.Anchor := Value;
+      This.Stuck := Stuck;
+   end Take_Word;
+
+   procedure Take_Frame
+     (This : in out Check; Scan : Downlink_Buffer; Item : Sensor_Item) is
+   begin
+      if (Scan (Error_Status) and Stale_Data) /= 0 then
+         Take_Gap (This);
+      else
+         Take_Word
+           (This, Scan (Item), Scan (Rule_Of (Item).Witness), Rule_Of (Item));
+      end if;
+   end Take_Frame;
+
+   procedure Advance (Items : in out Check_Table; Scan : Downlink_Buffer) is
+   begin
+      for Item in Sensor_Item loop
+         pragma Assert (Items (Item) = Items'Loop_Entry (Item));
+         Take_Frame (Items (Item), Scan, Item);
+         pragma Loop_Invariant
+           (for all Done in Sensor_Item'First .. Item =>
+              Items (Done) =
+                After_Frame (Items'Loop_Entry (Done), Scan, Done));
+         pragma Loop_Invariant
+           (for all Later in Sensor_Item =>
+              (if Later > Item
+               then Items (Later) = Items'Loop_Entry (Later)));
+      end loop;
+   end Advance;
+
    function Invalid_Bits (Items : Check_Table; Which : Half) return Word is
       Result : Word := 0;
    begin

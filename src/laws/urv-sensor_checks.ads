@@ -60,6 +60,19 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
       Stuck      : Stuck_Count     := 0;
    end record;
 
+   --  Sixteen bytes: a table of them is the largest part of LAW's memory.
+   for Check use record
+      Is_Seen   at  0 range 0 ..  7;
+      Is_Valid  at  1 range 0 ..  7;
+      Used      at  2 range 0 .. 15;
+      Last      at  4 range 0 .. 15;
+      Anchor    at  6 range 0 .. 15;
+      Witnessed at  8 range 0 .. 15;
+      Bad       at 10 range 0 .. 15;
+      Good      at 12 range 0 .. 15;
+      Stuck     at 14 range 0 .. 15;
+   end record;
+
    type Check_Table is array (Sensor_Item) of Check;
 
    --  The word used for a sensor: the last good one.
@@ -154,17 +167,21 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
       Stuck     => Next_Stuck (This, Value, Witness, By))
    with Global => null;
 
-   --  All checks after a frame, with or without a scan
+   --  A sensor's check, and all checks, after a frame with or without a scan
+
+   function After_Frame
+     (This : Check; Scan : Downlink_Buffer; Item : Sensor_Item) return Check
+   is
+     (if (Scan (Error_Status) and Stale_Data) /= 0
+      then After_Gap (This)
+      else After_Scan
+        (This, Scan (Item), Scan (Rule_Of (Item).Witness), Rule_Of (Item)))
+   with Global => null;
 
    function Next (Items : Check_Table; Scan : Downlink_Buffer)
                   return Check_Table
    is
-     ((for Item in Sensor_Item =>
-         (if (Scan (Error_Status) and Stale_Data) /= 0
-          then After_Gap (Items (Item))
-          else After_Scan
-            (Items (Item), Scan (Item), Scan (Rule_Of (Item).Witness),
-             Rule_Of (Item)))))
+     ((for Item in Sensor_Item => After_Frame (Items (Item), Scan, Item)))
    with
      Global => null,
      Post   =>
@@ -172,6 +189,12 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
           (if Next'Result (Item).Is_Valid
            then Items (Item).Is_Valid
              or else Next'Result (Item).Good = Good_Scans));
+
+   --  The same in place.
+   procedure Advance (Items : in out Check_Table; Scan : Downlink_Buffer)
+   with
+     Global => null,
+     Post   => Items = Next (Items'Old, Scan);
 
    --  The aircraft is known to be on the ground: it is slow and low, and both
    --  sensors are valid. In all other cases it counts as flying (EXT-5,

@@ -12,7 +12,7 @@
 
 with URVOS;            use URVOS;
 with URV.Buffers;      use URV.Buffers;
-with URV.Engine_Monitor;
+with URV.Engine_Monitor; use type URV.Engine_Monitor.Monitor;
 with URV.Frame_Times;  use URV.Frame_Times;
 with URV.Law_Units;    use URV.Law_Units;
 with URV.Routing;      use URV.Routing;
@@ -36,7 +36,8 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
    subtype Unknown_Frames is Number range 0 .. 3;
 
    type Bounds_Table is array (Surface) of Bounds;
-   type Doubt_Table is array (Surface) of Doubt_Level;
+   type Doubt_Table is array (Surface) of Doubt_Level
+   with Component_Size => 16;
 
    type Monitor is record
       Ranges : Bounds_Table    := (others => Anywhere);
@@ -66,7 +67,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
       and then One.Sent_Before = Other.Sent_Before
       and then One.Sent_First = Other.Sent_First
       and then One.Unknown = Other.Unknown
-      and then Engine_Monitor."=" (One.Engine, Other.Engine)
+      and then One.Engine = Other.Engine
       and then One.Power = Other.Power)
    with Global => null;
 
@@ -104,7 +105,59 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
         (Which, Bounds_After (This, Which), Places_Of (Sensors) (Which)))
    with Global => null;
 
-   --  The monitor after the sensors of a frame. Old sensors show nothing.
+   --  Each surface after the sensors of a frame. Old sensors show nothing.
+   function Are_Watched
+     (Before, After : Monitor; Sensors : Downlink_Buffer) return Boolean
+   is
+     (for all Which in Surface =>
+        After.Ranges (Which) = Bounds_After (Before, Which)
+
+        --  A failure lasts.
+        and then
+          (if Before.Failed (Which) then After.Failed (Which))
+
+        --  Only fresh sensors show a failure, and only after an earlier
+        --  distance.
+        and then
+          (if After.Failed (Which) and then not Before.Failed (Which)
+           then not Is_Old (Sensors)
+             and then Off_Now (Before, Sensors, Which) > Allowance
+             and then Before.Doubts (Which) >=
+                        Certainty - (Most_Off - Allowance))
+
+        --  The position is the last measured one.
+        and then
+          After.Places (Which) =
+            (if Is_Old (Sensors) then Before.Places (Which)
+             else Places_Of (Sensors) (Which))
+
+        --  And then always.
+        and then
+          (if Is_Old (Sensors)
+           then After.Doubts (Which) = Before.Doubts (Which)
+           else After.Doubts (Which) =
+               Next_Doubt
+                 (Before.Doubts (Which), Off_Now (Before, Sensors, Which))
+             and then
+               (if After.Doubts (Which) = Certainty
+                  and then Before.Doubts (Which) < Certainty
+                then After.Failed (Which))))
+   with Ghost, Global => null;
+
+   --  The monitor after the sensors of a frame.
+   procedure Advance (This : in out Monitor; Sensors : Downlink_Buffer)
+   with
+     Global => null,
+     Post   =>
+       This.Unknown = This.Unknown'Old
+       and then This.Sent = This.Sent'Old
+       and then This.Sent_Before = This.Sent_Before'Old
+       and then This.Sent_First = This.Sent_First'Old
+       and then This.Engine = This.Engine'Old
+       and then This.Power = This.Power'Old
+       and then Are_Watched (This'Old, This, Sensors);
+
+   --  The same as a function, for theorems and tests.
    function Next (This : Monitor; Sensors : Downlink_Buffer) return Monitor
    with
      Global => null,
@@ -113,40 +166,7 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
        and then Next'Result.Sent = This.Sent
        and then Next'Result.Sent_Before = This.Sent_Before
        and then Next'Result.Sent_First = This.Sent_First
-       and then
-         (for all Which in Surface =>
-            Next'Result.Ranges (Which) = Bounds_After (This, Which)
-
-            --  A failure lasts.
-            and then
-              (if This.Failed (Which) then Next'Result.Failed (Which))
-
-            --  Only fresh sensors show a failure, and only after an earlier
-            --  distance.
-            and then
-              (if Next'Result.Failed (Which) and then not This.Failed (Which)
-               then not Is_Old (Sensors)
-                 and then Off_Now (This, Sensors, Which) > Allowance
-                 and then This.Doubts (Which) >=
-                            Certainty - (Most_Off - Allowance))
-
-            --  The position is the last measured one.
-            and then
-              Next'Result.Places (Which) =
-                (if Is_Old (Sensors) then This.Places (Which)
-                 else Places_Of (Sensors) (Which))
-
-            --  And then always.
-            and then
-              (if Is_Old (Sensors)
-               then Next'Result.Doubts (Which) = This.Doubts (Which)
-               else Next'Result.Doubts (Which) =
-                   Next_Doubt
-                     (This.Doubts (Which), Off_Now (This, Sensors, Which))
-                 and then
-                   (if Next'Result.Doubts (Which) = Certainty
-                      and then This.Doubts (Which) < Certainty
-                    then Next'Result.Failed (Which))));
+       and then Are_Watched (This, Next'Result, Sensors);
 
    --  The servos get these words in this frame.
    function With_Sent
@@ -165,6 +185,18 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
          Sent_Before => This.Sent,
          Sent_First  => This.Sent_Before))
    with Global => null;
+
+   --  The same in place
+
+   procedure Note_Sent (This : in out Monitor; Sent : Surface_Demands)
+   with
+     Global => null,
+     Post   => This = With_Sent (This'Old, Sent);
+
+   procedure Note_None_Sent (This : in out Monitor)
+   with
+     Global => null,
+     Post   => This = With_None_Sent (This'Old);
 
    --  The engine was checked; its throttle gets Power in this frame.
    function With_Engine

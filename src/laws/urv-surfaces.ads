@@ -19,7 +19,8 @@ package URV.Surfaces with Pure, SPARK_Mode is
 
    type Surface_Flags is array (Surface) of Boolean
    with Alignment => 2;
-   type Surface_Demands is array (Surface) of Demand;
+   type Surface_Demands is array (Surface) of Demand
+   with Component_Size => 16;
 
    None : constant Surface_Flags := (others => False);
 

@@ -28,7 +28,8 @@ package URV.Test_Inputs with Pure, SPARK_Mode is
    --  A test input in words of a surface.
    subtype Increment is Number range -Most_Amplitude .. Most_Amplitude;
 
-   type Increments is array (Test_Surface) of Increment;
+   type Increments is array (Test_Surface) of Increment
+   with Component_Size => 16;
 
    Nothing_Added : constant Increments := (others => 0);
 

@@ -1,42 +1,26 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URVOS;               use URVOS;
-with URV.Buffers;         use URV.Buffers;
-with URV.Configurations;  use URV.Configurations;
-with URV.Errors;          use URV.Errors;
-with URV.Link_Loss;       use URV.Link_Loss;
-with URV.Surface_Monitor; use URV.Surface_Monitor;
-with URV.Surfaces;        use URV.Surfaces;
-with URV.Test_Runs;
+with URVOS;              use URVOS;
+with URV.Configurations; use URV.Configurations;
+with URV.Errors;         use URV.Errors;
 
 package body URV.LAW_Reports with SPARK_Mode is
 
-   procedure Report_Laws (Before, After : Memory)
+   procedure Report_Changes (Before, After : State)
    with Global => (In_Out => Errors);
 
-   procedure Report_Surfaces (Before, After : Monitor)
-   with Global => (In_Out => Errors);
-
-   procedure Report_Laws (Before, After : Memory) is
+   procedure Report_Changes (Before, After : State) is
    begin
-      if After.Link.State /= Before.Link.State
-        and then Before.Link.State /= Waiting
-      then
+      if After.Link /= Before.Link and then Before.Link /= Waiting then
          Errors.Report
-           (Link_Loss_State, Word (Link_State'Pos (After.Link.State)));
+           (Link_Loss_State, Word (Link_State'Pos (After.Link)));
       end if;
       for Sensor in Sensor_Item loop
-         if Before.Checks (Sensor).Is_Valid
-           and then not After.Checks (Sensor).Is_Valid
-         then
+         if Before.Is_Valid (Sensor) and then not After.Is_Valid (Sensor) then
             Errors.Report
               (Sensor_Not_Valid, Word (Sensor_Item'Pos (Sensor) + 1));
          end if;
       end loop;
-   end Report_Laws;
-
-   procedure Report_Surfaces (Before, After : Monitor) is
-   begin
       for Item in Surface loop
          if After.Failed (Item) and then not Before.Failed (Item) then
             Errors.Report
@@ -44,30 +28,32 @@ package body URV.LAW_Reports with SPARK_Mode is
                Word (Sensor_Item'Pos (Sensor_Of (Item)) + 1));
          end if;
       end loop;
-      if After.Engine.Failed and then not Before.Engine.Failed then
+      if After.Engine_Failed and then not Before.Engine_Failed then
          Errors.Report (Surface_Failed, Word (Sensor_Item'Pos (RPM) + 1));
       end if;
-   end Report_Surfaces;
+   end Report_Changes;
 
    procedure Report
-     (Before : Kept; Usual : Settings; Got : Inputs; Result : Decision)
+     (Before : State;
+      After  : State;
+      Usual  : Settings;
+      Got    : Inputs;
+      Result : Decision;
+      Cards  : Test_Runs.Run)
    is
-      Reply      : constant Answer := Answer_Of (Before, Usual, Got);
-      Card_Reply : constant Test_Runs.Answer :=
-        Card_Answer_Of (Before, Usual, Got);
    begin
-      if Reply in Refused then
-         Errors.Report (Configuration_Refused, Word (Answer'Pos (Reply)));
-      end if;
-      if Card_Reply in Test_Runs.Refused then
+      if Result.Reply in Refused then
          Errors.Report
-           (Card_Refused, Word (Test_Runs.Answer'Pos (Card_Reply)));
+           (Configuration_Refused, Word (Answer'Pos (Result.Reply)));
+      end if;
+      if Result.Card_Reply in Test_Runs.Refused then
+         Errors.Report
+           (Card_Refused, Word (Test_Runs.Answer'Pos (Result.Card_Reply)));
       end if;
       if Result.Has_Ended then
          Errors.Report
            (Card_Ended,
-            Word (Result.Cards.Run.Last_Run) * 16
-            + Test_Runs.Verdict'Pos (Result.Cards.Run.Reason));
+            Word (Cards.Last_Run) * 16 + Test_Runs.Verdict'Pos (Cards.Reason));
       end if;
       if Usual.On and then not Got.Has_Sensors then
          Errors.Report (No_Image, No_Image_For_Laws);
@@ -75,8 +61,7 @@ package body URV.LAW_Reports with SPARK_Mode is
       if Usual.On and then not Got.Has_Commands then
          Errors.Report (No_Commands, 0);
       end if;
-      Report_Laws (Before.Flown, Result.Flown.After);
-      Report_Surfaces (Before.Watched, Result.Surfaces.Watched);
+      Report_Changes (Before, After);
    end Report;
 
 end URV.LAW_Reports;

@@ -2,30 +2,62 @@
 
 with URV.Engine_Monitor;
 with URV.Law_Units;     use URV.Law_Units;
-with URV.Sensor_Checks; use URV.Sensor_Checks;
 
 package body URV.LAW_Steps with SPARK_Mode is
 
-   function Flown_With
-     (Before : Laws.Memory; Used : Settings; Got : Inputs) return Flight
+   procedure Fly
+     (This   : in out Laws.Memory;
+      Used   : Settings;
+      Got    : Inputs;
+      Result : out Flight)
    is
       Commands : constant Uplink_Buffer := Commands_Of (Got);
-      After    : Laws.Memory;
    begin
-      if not Used.On then
-         return
-           (Before, Got.Commands, Is_Sent => Got.Has_Commands,
-            By_Law | By_Card => False);
+      if Used.On then
+         Laws.Advance
+           (This, Commands, Sensors_Of (Got), Used.By, Used.Table);
+         Result :=
+           (Message => Output (This, Commands),
+            Is_Sent => True,
+            By_Law  => not Is_All_Stick (This),
+            By_Card => False);
+      else
+         Result :=
+           (Message => Got.Commands,
+            Is_Sent => Got.Has_Commands,
+            By_Law  => False,
+            By_Card => False);
       end if;
-      After := Laws.Next
-        (Before, Commands, Sensors_Of (Got), Used.By, Used.Table);
-      return
-        (After,
-         Output (After, Commands),
-         Is_Sent => True,
-         By_Law  => not Is_All_Stick (After),
-         By_Card => False);
-   end Flown_With;
+   end Fly;
+
+   procedure Run_Cards
+     (Cards     : in out Test_Runs.Aboard;
+      Flown     : Laws.Memory;
+      Watched   : Monitor;
+      Got       : Inputs;
+      Result    : in out Flight;
+      Has_Ended : out Boolean)
+   is
+      Sight   : constant Test_Runs.Situation :=
+        Sight_Of (Flown, Watched, Got);
+      Started : constant Boolean :=
+        Test_Runs.Is_Running (Cards.Run)
+        or else Test_Runs.Is_Started (Cards.Run, Sight);
+      Before  : constant Increments := Cards.Run.Added;
+   begin
+      Cards.Run := Test_Runs.Next (Cards.Run, Cards.Deck, Sight);
+      Has_Ended := Started and then not Test_Runs.Is_Running (Cards.Run);
+      if not Sight.Is_Cut
+        and then
+          (Before /= Nothing_Added or else Cards.Run.Added /= Nothing_Added)
+      then
+         Result.By_Card := True;
+         if not Result.By_Law then
+            Result.Message := Flown.Heard;
+            Result.Message (Error_Status) := No_Error;
+         end if;
+      end if;
+   end Run_Cards;
 
    function Engine_After
      (Before  : Monitor;
@@ -41,106 +73,65 @@ package body URV.LAW_Steps with SPARK_Mode is
            and then Checks (Airspeed).Is_Valid))
    with Global => null;
 
-   --  The monitor after the servos' words of this frame.
-   function With_Message
-     (Watched  : Monitor;
-      Engine   : Engine_Monitor.Monitor;
-      Message  : Uplink_Buffer;
-      Reported : Health;
-      Added    : Increments) return Monitor
+   procedure Watch
+     (This     : in out Monitor;
+      Checks   : Check_Table;
+      Flown    : Flight;
+      Added    : Increments;
+      Got      : Inputs;
+      Reported : out Health)
    is
-     (if Is_Old (Message)
-      then With_Engine (With_None_Sent (Watched), Engine, Watched.Power)
-      else With_Engine
-        (With_Sent
-           (Watched,
-            Demands_Of (With_Inputs (Servos (Message, Reported), Added))),
-         Engine, Level_Of (Message (Throttle))))
-   with Global => null;
-
-   function Surfaces_After
-     (Before : Monitor;
-      On     : Boolean;
-      Flown  : Flight;
-      Added  : Increments;
-      Got    : Inputs) return Surface_Part
-   is
-      Sensors  : constant Downlink_Buffer := Sensors_Of (Got);
-      Watched  : Monitor;
-      Reported : Health;
+      Sensors : constant Downlink_Buffer := Sensors_Of (Got);
    begin
-      if not On then
-         return (Before, All_Well);
-      end if;
-      Watched := Surface_Monitor.Next (Before, Sensors);
+      This.Engine := Engine_After (This, Sensors, Checks);
+      Surface_Monitor.Advance (This, Sensors);
       Reported := Reported_Health
-        ((Failed => Watched.Failed, Places => Watched.Places), Flown.By_Law);
-      return
-        (Watched  => With_Message
-           (Watched, Engine_After (Before, Sensors, Flown.After.Checks),
-            Flown.Message, Reported, Added),
-         Reported => Reported);
-   end Surfaces_After;
+        ((Failed => This.Failed, Places => This.Places), Flown.By_Law);
 
-   --  The test cards after a frame, with the part of the contract of their
-   --  run that is needed here.
-   function Cards_After
-     (Before : Test_Runs.Aboard; Sight : Test_Runs.Situation)
-      return Test_Runs.Aboard
-   with
-     Global => null,
-     Post   =>
-       (if Test_Runs.Is_Running (Cards_After'Result.Run)
-          and then not Test_Runs.Is_Running (Before.Run)
-        then Sight.Is_New
-          and then PWM_Transform.Is_On (Sight.Heard (Switch_5)))
-       and then
-         (if Sight.Is_Cut then Cards_After'Result.Run.Added = Nothing_Added);
-
-   function Cards_After
-     (Before : Test_Runs.Aboard; Sight : Test_Runs.Situation)
-      return Test_Runs.Aboard
-   is
-      Run : constant Test_Runs.Run :=
-        Test_Runs.Next (Before.Run, Before.Deck, Sight);
-   begin
-      return (Deck => Before.Deck, Run => Run);
-   end Cards_After;
-
-   function Decided
-     (Before : Kept; Usual : Settings; Got : Inputs) return Decision
-   is
-      Set       : constant Setting := Set_After (Before, Usual, Got);
-      By_Laws   : constant Flight :=
-        Flown_With (Before.Flown, In_Force (Usual, Set), Got);
-      Sight     : constant Test_Runs.Situation :=
-        Sight_Of (By_Laws, Before.Watched, Got);
-      Cards     : Test_Runs.Aboard := Cards_With (Before, Usual, Got);
-      Flown     : Flight := By_Laws;
-      Added     : Increments := Nothing_Added;
-      Has_Ended : Boolean := False;
-   begin
-      if Usual.On then
-         declare
-            Started : constant Boolean :=
-              Test_Runs.Is_Running (Cards.Run)
-              or else Test_Runs.Is_Started (Cards.Run, Sight);
-         begin
-            Cards := Cards_After (Cards, Sight);
-            Has_Ended := Started and then not Test_Runs.Is_Running (Cards.Run);
-         end;
-         Added := Cards.Run.Added;
-         Flown := With_Card
-           (By_Laws, Sight.Is_Cut, Before.Cards.Run.Added, Added);
+      --  The servos' words of this frame.
+      if Is_Old (Flown.Message) then
+         Note_None_Sent (This);
+      else
+         Note_Sent
+           (This,
+            Demands_Of
+              (With_Inputs (Servos (Flown.Message, Reported), Added)));
+         This.Power := Level_Of (Flown.Message (Throttle));
       end if;
-      return
-        (Flown     => Flown,
-         Set       => Set,
-         Surfaces  =>
-           Surfaces_After (Before.Watched, Usual.On, Flown, Added, Got),
-         Cards     => Cards,
-         Added     => Added,
-         Has_Ended => Has_Ended);
-   end Decided;
+   end Watch;
+
+   procedure Decide
+     (This   : in out Kept;
+      Usual  : Settings;
+      Got    : Inputs;
+      Result : out Decision)
+   is
+   begin
+      Result.Reply := Answer_Of (This, Usual, Got);
+      Result.Card_Reply := Card_Answer_Of (This, Usual, Got);
+      This.Set := Set_After (This, Usual, Got);
+      if Has_Card (Got) then
+         This.Cards :=
+           Test_Runs.After_Block (Got.Block, This.Cards, Usual.On);
+      end if;
+
+      Fly (This.Flown, In_Force (Usual, This.Set), Got, Result.Flown);
+      if Usual.On then
+         Run_Cards
+           (This.Cards, This.Flown, This.Watched, Got, Result.Flown,
+            Result.Has_Ended);
+         pragma Assert
+           (if not Result.Flown.By_Law and then not Result.Flown.By_Card
+            then Result.Flown.Message = Commands_Of (Got));
+         Result.Added := This.Cards.Run.Added;
+         Watch
+           (This.Watched, This.Flown.Checks, Result.Flown, Result.Added, Got,
+            Result.Reported);
+      else
+         Result.Has_Ended := False;
+         Result.Added := Nothing_Added;
+         Result.Reported := All_Well;
+      end if;
+   end Decide;
 
 end URV.LAW_Steps;

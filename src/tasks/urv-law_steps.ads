@@ -8,7 +8,8 @@
 --
 --  The decision has four parts, each in a package of its own (D-43): a
 --  configuration from the ground, the control laws, the test cards, and the
---  monitor of surfaces and engine.
+--  monitor of surfaces and engine. Each part changes the memory in place: it
+--  is too large for copies on the stack of a bare board.
 
 with URVOS;               use URVOS;
 with URV.Allocation;      use URV.Allocation;
@@ -17,11 +18,12 @@ with URV.Configurations;  use URV.Configurations;
 with URV.Laws;            use URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Routing;         use URV.Routing;
+with URV.Sensor_Checks;   use URV.Sensor_Checks;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;
 with URV.PWM_Transform;
 with URV.Test_Inputs;     use URV.Test_Inputs;
-with URV.Test_Runs;
+with URV.Test_Runs;       use type URV.Test_Runs.Answer;
 with URV.Type_Codes;      use URV.Type_Codes;
 
 package URV.LAW_Steps with Pure, SPARK_Mode is
@@ -62,40 +64,28 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Has_Commands : Boolean;
    end record;
 
-   --  The laws' part: their memory, the message for the PWM task, and whether
-   --  it is sent. By_Law: a law flies. By_Card: a test card adds its inputs,
-   --  or has just stopped.
+   --  The laws' part: the message for the PWM task, and whether it is sent.
+   --  By_Law: a law flies. By_Card: a test card adds its inputs, or has just
+   --  stopped.
    type Flight is record
-      After   : Laws.Memory;
       Message : Uplink_Buffer;
       Is_Sent : Boolean;
       By_Law  : Boolean;
       By_Card : Boolean;
    end record;
 
-   --  The surfaces' part. Reported: the failures that others make up for.
-   type Surface_Part is record
-      Watched  : Monitor;
-      Reported : Health;
-   end record;
-
-   --  The whole result of a frame. Added: the test inputs; Has_Ended: a card
-   --  ended, or did not start.
+   --  The results of a frame besides the memory. Reported: the failures that
+   --  other surfaces make up for. Added: the test inputs. Reply, Card_Reply:
+   --  the answers to a configuration and to a card; Taken if none has come.
+   --  Has_Ended: a card ended, or did not start.
    type Decision is record
-      Flown     : Flight;
-      Set       : Setting;
-      Surfaces  : Surface_Part;
-      Cards     : Test_Runs.Aboard;
-      Added     : Increments;
-      Has_Ended : Boolean;
+      Flown      : Flight;
+      Reported   : Health;
+      Added      : Increments;
+      Reply      : Answer;
+      Card_Reply : Test_Runs.Answer;
+      Has_Ended  : Boolean;
    end record;
-
-   function Kept_After (Result : Decision) return Kept is
-     ((Flown   => Result.Flown.After,
-       Set     => Result.Set,
-       Watched => Result.Surfaces.Watched,
-       Cards   => Result.Cards))
-   with Global => null;
 
    --  A message that has not come in this frame is old.
 
@@ -136,19 +126,6 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
    with Global => null;
 
    --  The same for a test card.
-
-   function Cards_With
-     (Before : Kept; Usual : Settings; Got : Inputs) return Test_Runs.Aboard
-   is
-     (if Has_Card (Got)
-      then Test_Runs.After_Block (Got.Block, Before.Cards, Usual.On)
-      else Before.Cards)
-   with
-     Global => null,
-     Post   =>
-       Test_Runs.Is_Running (Cards_With'Result.Run) =
-         Test_Runs.Is_Running (Before.Cards.Run);
-
    function Card_Answer_Of
      (Before : Kept; Usual : Settings; Got : Inputs) return Test_Runs.Answer
    is
@@ -167,6 +144,7 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
    function Is_Flight
      (Item   : Flight;
       Before : Laws.Memory;
+      After  : Laws.Memory;
       On     : Boolean;
       Got    : Inputs) return Boolean
    is
@@ -182,106 +160,131 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
          then not Is_Old (Item.Message)
            and then
              (for all Name in Command_Item =>
-                Item.Message (Name) = Item.After.Heard (Name))
+                Item.Message (Name) = After.Heard (Name))
          else not Is_Old (Item.Message)
            and then
              (for all Name in Command_Item range Brake .. Switch_8 =>
-                Item.Message (Name) = Item.After.Heard (Name)))
+                Item.Message (Name) = After.Heard (Name)))
       and then
         (if On and then not Is_Old (Commands_Of (Got))
-         then Item.After.Heard = Commands_Of (Got)
-         else Item.After.Heard = Before.Heard)
+         then After.Heard = Commands_Of (Got)
+         else After.Heard = Before.Heard)
       and then
         (if Before.Link.State = Waiting
            and then (not On or else Is_Old (Commands_Of (Got)))
-         then Item.After.Link.State = Waiting)
+         then After.Link.State = Waiting)
       and then
-        (if Item.After.Link.State = Waiting
+        (if After.Link.State = Waiting
            or else Is_Disconnected (Commands_Of (Got))
          then not Item.By_Law and then not Item.By_Card))
    with Global => null, Ghost;
 
-   function Flown_With
-     (Before : Laws.Memory; Used : Settings; Got : Inputs) return Flight
+   procedure Fly
+     (This   : in out Laws.Memory;
+      Used   : Settings;
+      Got    : Inputs;
+      Result : out Flight)
    with
      Global => null,
      Post   =>
-       Is_Flight (Flown_With'Result, Before, Used.On, Got)
-       and then not Flown_With'Result.By_Card;
+       Is_Flight (Result, This'Old, This, Used.On, Got)
+       and then not Result.By_Card;
 
    --  Test cards
 
-   --  The facts on which a card depends. The monitor's failures are those of
-   --  the last frame.
-   function Sight_Of (Flown : Flight; Watched : Monitor; Got : Inputs)
-                      return Test_Runs.Situation
-   is
-     (Heard     => Flown.After.Heard,
-      Is_New    => not Is_Old (Commands_Of (Got)),
-      Is_Cut    => Flown.After.Link.State = Waiting
-        or else Is_Disconnected (Commands_Of (Got)),
-      Is_Linked => Flown.After.Link.State = Linked,
-      Failed    => Watched.Failed /= None,
-      Checks    => Flown.After.Checks)
+   --  The pilot's disconnect, or no commands yet.
+   function Is_Cut (Flown : Laws.Memory; Got : Inputs) return Boolean is
+     (Flown.Link.State = Waiting or else Is_Disconnected (Commands_Of (Got)))
    with Global => null;
 
-   --  The laws' part with the inputs of a card, before and after the frame.
-   function With_Card
-     (Flown : Flight; Is_Cut : Boolean; Before, After : Increments)
-      return Flight
+   --  The facts on which a card depends. The monitor's failures are those of
+   --  the last frame.
+   function Sight_Of (Flown : Laws.Memory; Watched : Monitor; Got : Inputs)
+                      return Test_Runs.Situation
    is
-     (if Is_Cut
-        or else (Before = Nothing_Added and then After = Nothing_Added)
-      then Flown
-      elsif Flown.By_Law then (Flown with delta By_Card => True)
-      else
-        (Flown with delta
-           By_Card => True,
-           Message =>
-             (Flown.After.Heard with delta Error_Status => No_Error)))
+     (Heard     => Flown.Heard,
+      Is_New    => not Is_Old (Commands_Of (Got)),
+      Is_Cut    => Is_Cut (Flown, Got),
+      Is_Linked => Flown.Link.State = Linked,
+      Failed    => Watched.Failed /= None,
+      Checks    => Flown.Checks)
    with Global => null;
+
+   --  The test cards after a frame of the laws. Their inputs change the laws'
+   --  part. A card begins only when new commands have switch 5 on.
+   procedure Run_Cards
+     (Cards     : in out Test_Runs.Aboard;
+      Flown     : Laws.Memory;
+      Watched   : Monitor;
+      Got       : Inputs;
+      Result    : in out Flight;
+      Has_Ended : out Boolean)
+   with
+     Global => null,
+     Pre    => not Result.By_Card,
+     Post   =>
+       Result.Is_Sent = Result.Is_Sent'Old
+       and then Result.By_Law = Result.By_Law'Old
+       and then
+         (if Result.By_Card then not Is_Cut (Flown, Got)
+          else Cards.Run.Added = Nothing_Added)
+       and then
+         (if Result.By_Card and then not Result.By_Law
+          then not Is_Old (Result.Message)
+            and then
+              (for all Name in Command_Item =>
+                 Result.Message (Name) = Flown.Heard (Name))
+          else Result.Message = Result.Message'Old)
+       and then
+         (if Test_Runs.Is_Running (Cards.Run)
+            and then not Test_Runs.Is_Running (Cards.Run'Old)
+          then not Is_Old (Commands_Of (Got))
+            and then PWM_Transform.Is_On (Flown.Heard (Switch_5)));
 
    --  Surfaces and engine
 
    --  The sensors show how surfaces and engine have followed. The monitor then
    --  takes the words that the PWM task makes of the message. Other surfaces
-   --  make up for a failed one only while a law flies. With the laws off the
-   --  monitor is unchanged. Added: the test inputs.
-   function Surfaces_After
-     (Before : Monitor;
-      On     : Boolean;
-      Flown  : Flight;
-      Added  : Increments;
-      Got    : Inputs) return Surface_Part
+   --  make up for a failed one only while a law flies. Checks: the sensors'
+   --  validity in this frame. Added: the test inputs. Reported: the failures
+   --  that others make up for.
+   procedure Watch
+     (This     : in out Monitor;
+      Checks   : Check_Table;
+      Flown    : Flight;
+      Added    : Increments;
+      Got      : Inputs;
+      Reported : out Health)
+   with
+     Global => null,
+     Post   => (if not Flown.By_Law then Reported.Failed = None);
+
+   --  The whole decision. With the laws off, cards and monitor are unchanged.
+   procedure Decide
+     (This   : in out Kept;
+      Usual  : Settings;
+      Got    : Inputs;
+      Result : out Decision)
    with
      Global => null,
      Post   =>
-       (if not On or else not Flown.By_Law
-        then Surfaces_After'Result.Reported.Failed = None);
-
-   --  The whole decision
-
-   function Decided
-     (Before : Kept; Usual : Settings; Got : Inputs) return Decision
-   with
-     Global => null,
-     Post   =>
-       Is_Flight (Decided'Result.Flown, Before.Flown, Usual.On, Got)
-       and then Decided'Result.Set = Set_After (Before, Usual, Got)
+       Is_Flight (Result.Flown, This.Flown'Old, This.Flown, Usual.On, Got)
+       and then This.Set = Set_After (This'Old, Usual, Got)
+       and then Result.Reply = Answer_Of (This'Old, Usual, Got)
+       and then Result.Card_Reply = Card_Answer_Of (This'Old, Usual, Got)
        and then
-         (if not Decided'Result.Flown.By_Law
-          then Decided'Result.Surfaces.Reported.Failed = None)
+         (if not Result.Flown.By_Law then Result.Reported.Failed = None)
+       and then
+         (if not Usual.On then This.Watched = This.Watched'Old)
 
        --  Without a card nothing is added. A card begins only when new
        --  commands have switch 5 on.
        and then
-         (if not Decided'Result.Flown.By_Card
-          then Decided'Result.Added = Nothing_Added)
+         (if not Result.Flown.By_Card then Result.Added = Nothing_Added)
        and then
-         (if Test_Runs.Is_Running (Decided'Result.Cards.Run)
-            and then not Test_Runs.Is_Running (Before.Cards.Run)
+         (if Test_Runs.Is_Running (This.Cards.Run)
+            and then not Test_Runs.Is_Running (This.Cards.Run'Old)
           then not Is_Old (Commands_Of (Got))
-            and then PWM_Transform.Is_On
-              (Decided'Result.Flown.After.Heard (Switch_5)));
+            and then PWM_Transform.Is_On (This.Flown.Heard (Switch_5)));
 
 end URV.LAW_Steps;

@@ -3,37 +3,38 @@
 with URV.Errors;    use URV.Errors;
 with URV.LAW_Reports;
 with URV.LAW_Steps; use URV.LAW_Steps;
-with URV.Laws;      use URV.Laws;
+with URV.Laws;
 
 package body URV.LAW_Task with SPARK_Mode is
 
    package Reports is new URV.LAW_Reports (Errors);
 
    procedure Run_Transaction is
-      Usual   : constant Settings := Law_Settings.Contents;
-      Before  : constant Kept := Law_Memory.Contents;
+      Usual   : constant Laws.Settings := Law_Settings.Contents;
+      Memory  : Kept := Law_Memory.Contents;
+      Before  : constant Reports.State := Reports.State_Of (Memory);
       Got     : Inputs;
+      Result  : Decision;
       Success : Boolean;
    begin
       Configuration_Variable.Receive (Got.Block, Got.Has_Block);
       Sensors_Variable.Receive (Got.Sensors, Got.Has_Sensors);
       Commands_Variable.Receive (Got.Commands, Got.Has_Commands);
 
-      declare
-         Result : constant Decision := Decided (Before, Usual, Got);
-      begin
-         Law_Memory.Write (Kept_After (Result));
-         Surface_Health.Write (Result.Surfaces.Reported);
-         Test_Added.Write (Result.Added);
-         Reports.Report (Before, Usual, Got, Result);
+      Decide (Memory, Usual, Got, Result);
+      Law_Memory.Write (Memory);
+      Surface_Health.Write (Result.Reported);
+      Test_Added.Write (Result.Added);
+      Reports.Report
+        (Before, Reports.State_Of (Memory), Usual, Got, Result,
+         Memory.Cards.Run);
 
-         if Result.Flown.Is_Sent then
-            PWM_Variable.Send (Result.Flown.Message, Success);
-            if not Success then
-               Errors.Report (Commands_Not_Consumed, 0);
-            end if;
+      if Result.Flown.Is_Sent then
+         PWM_Variable.Send (Result.Flown.Message, Success);
+         if not Success then
+            Errors.Report (Commands_Not_Consumed, 0);
          end if;
-      end;
+      end if;
    end Run_Transaction;
 
 end URV.LAW_Task;

@@ -37,6 +37,15 @@ def test_brd5_a_figure_over_its_limit_is_found():
     assert cost.too_large({"c": 1}, baseline) == ["c: 1, baseline none"]
 
 
+def test_brd5_no_task_needs_more_than_4_kib_of_stack():
+    baseline = json.loads(cost.BASELINE.read_text())
+    stacks = {name: value for name, value in baseline.items()
+              if " stack of " in name}
+    assert len(stacks) == 36
+    assert {name: value for name, value in stacks.items()
+            if value > 4_096} == {}
+
+
 def test_brd5_the_deepest_stack_is_that_of_all_calls():
     sizes = {"a": 10, "b": 20, "c": 100}
     calls = {"a": {"b", "c"}, "b": {"c"}}

@@ -201,7 +201,7 @@ package body Task_Shells_Tests is
            "laws " & On'Image & ", block " & Has_Block'Image & ", sensors "
            & Has_Sensors'Image & ", commands " & Has_Commands'Image;
          Usual  : constant Settings := (Laws_Off with delta On => On);
-         Before : Kept;
+         Memory : Kept;
          Result : Decision;
          Item   : Uplink_Buffer;
          Fresh  : Boolean;
@@ -210,7 +210,7 @@ package body Task_Shells_Tests is
          Fly (60, Level);
          MCS.Law_Settings.Write (Usual);
          MCS.Errors.Clear;
-         Before := MCS.Law_Memory.Contents;
+         Memory := MCS.Law_Memory.Contents;
          Up.Give (MCS.Configuration_Variable, Block);
          Down.Give (MCS.Sensors_Variable, Banked);
          Up.Give (MCS.Commands_Variable, Sticks_Off);
@@ -226,30 +226,31 @@ package body Task_Shells_Tests is
          if not Has_Commands then
             Item := Up.Taken ("commands", MCS.Commands_Variable);
          end if;
-         Result := Decided
-           (Before, Usual,
+         Decide
+           (Memory, Usual,
             (Block, Has_Block, Banked, Has_Sensors, Sticks_Off,
-             Has_Commands));
+             Has_Commands),
+            Result);
          MCS.LAW.Run_Transaction;
 
          Expect
            (What & ": memory",
-            MCS.Law_Memory.Contents.Flown = Result.Flown.After, True);
+            MCS.Law_Memory.Contents.Flown = Memory.Flown, True);
          Expect
            (What & ": configuration",
-            MCS.Law_Memory.Contents.Set = Result.Set, True);
+            MCS.Law_Memory.Contents.Set = Memory.Set, True);
          Expect
            (What & ": configuration is taken",
             MCS.Law_Memory.Contents.Set.Is_Set, On and Has_Block);
          Expect
            (What & ": surfaces",
-            MCS.Law_Memory.Contents.Watched = Result.Surfaces.Watched, True);
+            MCS.Law_Memory.Contents.Watched = Memory.Watched, True);
          Expect
            (What & ": health",
-            MCS.Surface_Health.Contents = Result.Surfaces.Reported, True);
+            MCS.Surface_Health.Contents = Result.Reported, True);
          Expect
            (What & ": cards",
-            MCS.Law_Memory.Contents.Cards = Result.Cards, True);
+            MCS.Law_Memory.Contents.Cards = Memory.Cards, True);
          Expect
            (What & ": inputs", MCS.Test_Added.Contents = Result.Added, True);
          MCS.PWM_Variable.Look (Item, Fresh);
