@@ -82,6 +82,10 @@ package body Host.Option_Help is
             "message format, 1 or 2, which is sealed (1)",
          when Key_Option =>
             "the keys, for format 2",
+         when Recorder_Option =>
+            "seconds of flight that the recorder aboard holds, up to "
+            & Image (Integer (Longest_Recording / Microseconds_Per_Second))
+            & " (as many)",
          when Console_Option =>
             "the sticks from a console's packets; HOST is this machine's"
             & " loopback",
@@ -93,6 +97,10 @@ package body Host.Option_Help is
             & Integer'Image (Most_Places) & " times",
          when Record_Option =>
             "a row for each major frame, CSV",
+         when Recording_Option =>
+            "the rows of the recorder aboard, as they are made",
+         when Fetched_Option =>
+            "the blocks of the recorder that come down",
          when Summary_Option =>
             "result, JSON",
          when Wire_Option =>

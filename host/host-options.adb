@@ -46,7 +46,8 @@ package body Host.Options is
      (case Which is
          when Link_Option                      => "LINK",
          when Seconds_Option | Orbit_After_Option
-            | Terminate_After_Option           => "S",
+            | Terminate_After_Option
+            | Recorder_Option                  => "S",
          when Plant_Option                     => "PLANT",
          when Pilot_Option | Schedule_Option   => "NAME",
          when Phase_Option                     => "TICKS",
@@ -121,6 +122,8 @@ package body Host.Options is
             Loss_Times.Read_Orbit (Value, Chosen.Loss);
          when Terminate_After_Option =>
             Loss_Times.Read_Finish (Value, Chosen.Loss);
+         when Recorder_Option =>
+            Chosen.Recorder := Time_Of (Title, Value, Longest_Recording);
          when Format_Option =>
             Chosen.Format :=
               URV.Handshakes.Format_Number (Number_Of (Title, Value));

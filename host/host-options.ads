@@ -14,6 +14,7 @@ with Host.Loss_Times;
 with Host.Option_Values; use Host.Option_Values;
 with Telemetry;
 with URV.Handshakes;
+with URV.Recorder_Sizes;
 with URVOS.Task_Trees;
 
 package Host.Options is
@@ -28,8 +29,9 @@ package Host.Options is
       Seed_Option, Phase_Option, Drift_Option, Lock_Option, Line_Delay_Option,
       Schedule_Option, Processors_Option, Laws_Option, Orbit_After_Option,
       Terminate_After_Option, Format_Option, Key_Option,
-      Console_Option, Packets_Option, Publish_Option, Record_Option,
-      Summary_Option, Wire_Option, Events_Option, Pace_Option, Quiet_Option);
+      Recorder_Option, Console_Option, Packets_Option, Publish_Option,
+      Record_Option, Recording_Option, Fetched_Option, Summary_Option,
+      Wire_Option, Events_Option, Pace_Option, Quiet_Option);
 
    subtype Output_Option is Option range Record_Option .. Events_Option;
 
@@ -39,11 +41,12 @@ package Host.Options is
          when Sticks_Option | Pilot_Option
             | Orders_Option                             => Caller /= URV_MCS,
          when Plant_Option | Sensors_Option
-            | Laws_Option .. Terminate_After_Option     => Caller /= URV_GSC,
+            | Laws_Option .. Terminate_After_Option
+            | Recorder_Option | Recording_Option     => Caller /= URV_GSC,
          when Console_Option .. Publish_Option          => Caller = URV_GSC,
          when Faults_Option | Conditions_Option
             | Seed_Option | Drift_Option | Wire_Option
-            | Pace_Option                               => Caller = URV_Sim,
+            | Fetched_Option | Pace_Option              => Caller = URV_Sim,
          when others                                    => True);
 
    --  As it is written, with its dashes.
@@ -67,6 +70,9 @@ package Host.Options is
 
    Longest_Time : constant Microseconds :=
      10_000_000 * Microseconds_Per_Second;
+
+   Longest_Recording : constant Microseconds :=
+     URV.Recorder_Sizes.Most_Rows * Frame_Length;
 
    type Choices is record
       Wants_Help : Boolean := False;
@@ -92,6 +98,10 @@ package Host.Options is
 
       --  The times of the reactions to a lost link, with the laws (EXT-5).
       Loss       : Loss_Times.Pair;
+
+      --  The time that the aircraft's flight recorder holds (FTI-9).
+      Recorder   : Microseconds range 0 .. Longest_Recording :=
+        Longest_Recording;
 
       --  The message format; format 2 has keys.
       Format     : URV.Handshakes.Format_Number := 1;

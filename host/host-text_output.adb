@@ -20,6 +20,10 @@ package body Host.Text_Output is
       Length : Long_Long_Integer) return Integer
      with Import, Convention => C, External_Name => "ftruncate64";
 
+   function Synchronise_Data
+     (File : GNAT.OS_Lib.File_Descriptor) return Integer
+     with Import, Convention => C, External_Name => "fdatasync";
+
    --  The assumed error when the system gives no reason.
    Input_Output_Error : constant := 5;
 
@@ -72,6 +76,14 @@ package body Host.Text_Output is
       end loop;
       To.Last := 0;
    end Flush;
+
+   procedure Synchronise (To : in out Writer) is
+      Unused_Result : Integer;   --  an error for a pipe, or a device
+   begin
+      if To.State = Written then
+         Unused_Result := Synchronise_Data (To.File);
+      end if;
+   end Synchronise;
 
    procedure Restart (To : in out Writer) is
    begin

@@ -92,6 +92,10 @@ package Host.Text_Output is
    procedure Flush (To : in out Writer)
      with Pre => Is_Open (To);
 
+   --  FTI-11: waits until what was written is on the disk. Nothing happens if
+   --  the output has no disk.
+   procedure Synchronise (To : in out Writer);
+
    --  True if the file can be rewritten from its beginning.
    function Can_Restart (To : Writer) return Boolean
      with Pre => Is_Open (To);

@@ -6,6 +6,7 @@ with System;
 with Host;                use Host;
 with Host.Bench;
 with Host.Loss_Times;
+with Host.Recordings;
 with Host.Sensor_Scripts; use Host.Sensor_Scripts;
 with Partitions.Clocks;
 with Partitions.Columns;  use Partitions.Columns;
@@ -39,6 +40,14 @@ package body Partitions.Aircraft is
    function Servos return PWM_Buffer is
      (URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents));
 
+   package Rows_Aboard is new Host.Recordings.Followers
+     (MCS.Recorder.Contents, MCS.Recorder.Row_At);
+
+   procedure Put_Recording (To : in out Host.Text_Output.Writer) is
+   begin
+      Rows_Aboard.Put_New_Rows (To);
+   end Put_Recording;
+
    procedure Prepare (Chosen : Host.Options.Choices) is
       use Host.Options;
       Set : URV.Laws.Settings := MCS.Law_Settings.Contents;
@@ -46,6 +55,8 @@ package body Partitions.Aircraft is
       Bench.Start (Schedule => Chosen.Schedule);
       Has_Lock := Chosen.Lock;
       MCS.Frame_Lock.Set (Has_Lock);
+      MCS.Recorder.Set_Length
+        (Host.Recordings.Length_Of (Chosen.Recorder));
       Set.On := Chosen.Laws;
       Set.By := Loss_Times.Frames_Of (Chosen.Loss);
       MCS.Law_Settings.Write (Set);

@@ -33,6 +33,9 @@ package Partitions.Aircraft is
    function Last_Names return String;
    procedure Append_Laws (To : in out Row);
 
+   --  The rows of the flight recorder (FTI-11).
+   procedure Put_Recording (To : in out Host.Text_Output.Writer);
+
    --  See Partitions.Run: the plant, and the frames in step (FRM-6).
    function Next_Message (Now : String) return String;
    procedure Put_Counts

@@ -8,8 +8,11 @@ with Partitions.Clocks;
 with Partitions.Console_Packets; use Partitions.Console_Packets;
 with Partitions.Order_Packets;
 with Partitions.Orders;
+with Partitions.Recorder_Answers;
 with Partitions.Sockets;
 with Partitions.System_Calls;    use Partitions.System_Calls;
+with URV.Buffers;                use URV.Buffers;
+with URV.Type_Codes;             use URV.Type_Codes;
 
 package body Partitions.Console_Port is
 
@@ -127,21 +130,44 @@ package body Partitions.Console_Port is
    function Is_Recent (Made_At, Now : Octets.Number) return Boolean is
      (Made_At <= Now and then Now - Made_At <= Octets.Number (Longest_Delay));
 
-   --  A datagram has arrived: sticks, or an order.
-   procedure Take_In (Datagram : Octets.Octet_Array);
-   procedure Take_Sticks (Datagram : Octets.Octet_Array);
-   procedure Take_Order (Datagram : Octets.Octet_Array);
+   type Sender is record
+      Where  : Socket_Address := (others => 0);
+      Length : unsigned       := Socket_Address'Length;
+   end record;
 
-   procedure Take_In (Datagram : Octets.Octet_Array) is
+   --  A datagram has arrived: sticks, or an order.
+   procedure Take_In (Datagram : Octets.Octet_Array; From : Sender);
+   procedure Take_Sticks (Datagram : Octets.Octet_Array);
+   procedure Take_Order (Datagram : Octets.Octet_Array; From : Sender);
+
+   --  A request for rows of the flight recorder moves nothing, so any sender
+   --  may make one, not only the holder of the sticks. In flight it is refused
+   --  here (FTI-10).
+   procedure Take_Request
+     (Block : Uplink_Buffer; From : Sender; Is_Taken : out Boolean);
+
+   procedure Take_Request
+     (Block : Uplink_Buffer; From : Sender; Is_Taken : out Boolean) is
+   begin
+      Recorder_Answers.Note_Sender (Port, From.Where, From.Length);
+      Is_Taken := True;
+      if Recorder_Answers.Is_Flying then
+         Recorder_Answers.Refuse_In_Flight;
+      else
+         Orders.Give (Block, Is_Taken);
+      end if;
+   end Take_Request;
+
+   procedure Take_In (Datagram : Octets.Octet_Array; From : Sender) is
    begin
       if Order_Packets.Is_Meant (Datagram) then
-         Take_Order (Datagram);
+         Take_Order (Datagram, From);
       else
          Take_Sticks (Datagram);
       end if;
    end Take_In;
 
-   procedure Take_Order (Datagram : Octets.Octet_Array) is
+   procedure Take_Order (Datagram : Octets.Octet_Array; From : Sender) is
       Item     : Order_Packets.Packet;
       Is_Taken : Boolean;
    begin
@@ -149,11 +175,13 @@ package body Partitions.Console_Port is
       Is_Taken :=
         Is_Taken
         and then Is_Recent (Item.Made_At, Now => Clocks.UTC);
-      if Is_Taken then
+      if Is_Taken and then Kind_Of (Item.Block) = Recorder_Kind then
+         Take_Request (Item.Block, From, Is_Taken);
+      elsif Is_Taken then
          Latest.Check_Order (Item.Run, Item.Sequence, Clock, Is_Taken);
-      end if;
-      if Is_Taken then
-         Orders.Give (Item.Block, Is_Taken);
+         if Is_Taken then
+            Orders.Give (Item.Block, Is_Taken);
+         end if;
       end if;
       if not Is_Taken then
          Latest.Drop;
@@ -181,12 +209,16 @@ package body Partitions.Console_Port is
       --  Larger than a packet: a longer datagram is not a packet.
       Datagram : Octets.Octet_Array (1 .. 2 * Console_Packets.Length);
       Length   : Byte_Total;
+      From     : Sender;
    begin
       Suspend_Until_True (Gate);
       loop
-         Length := Receive (Port, Datagram'Address, Datagram'Length, 0);
+         From := (others => <>);
+         Length := Receive_From
+           (Port, Datagram'Address, Datagram'Length, 0, From.Where'Address,
+            From.Length);
          if Length >= 0 then
-            Take_In (Datagram (1 .. Natural (Length)));
+            Take_In (Datagram (1 .. Natural (Length)), From);
          else
             delay until Clock + Rest;
          end if;

@@ -7,6 +7,7 @@ with Partitions.Console;
 with Partitions.Console_Port;
 with Partitions.Orders;
 with Partitions.Publisher;
+with Partitions.Recorder_Answers;
 with Partitions.Reports; use Partitions.Reports;
 
 package body Partitions.Ground_Station is
@@ -32,6 +33,12 @@ package body Partitions.Ground_Station is
          Publisher.Open (To_String (Place));
       end loop;
    end Prepare;
+
+   procedure Publish (Item : Partitions.Rows.Row) is
+   begin
+      Publisher.Publish (Item);
+      Recorder_Answers.Pass_On;
+   end Publish;
 
    procedure Put_Counts
      (Result : in out Partitions.Reports.Report;

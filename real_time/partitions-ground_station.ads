@@ -6,11 +6,16 @@
 with Host.Options;
 with Host.Text_Output;
 with Partitions.Reports;
+with Partitions.Rows;
 
 package Partitions.Ground_Station is
 
    --  Raises Host.Bad_Input.
    procedure Prepare (Chosen : Host.Options.Choices);
+
+   --  A frame's row of the record is complete: CORE's contents go to the
+   --  station, a new block of the flight recorder to its fetcher.
+   procedure Publish (Item : Partitions.Rows.Row);
 
    function Has_Truth return Boolean is (False);
 

@@ -7,7 +7,6 @@ with Partitions.Boards;
 with Partitions.Console;
 with Partitions.Ground_Station;
 with Partitions.Nodes;
-with Partitions.Publisher;
 with Partitions.Row_Contents;
 
 package Partitions.GSC_Node is
@@ -24,7 +23,7 @@ package Partitions.GSC_Node is
    package Contents is new Partitions.Row_Contents
      (Append_Values => Partitions.Console.Append_Values,
       Append_Last   => Partitions.Console.Append_Laws,
-      Publish       => Partitions.Publisher.Publish,
+      Publish       => Partitions.Ground_Station.Publish,
       Column_Names  => Partitions.Console.Column_Names,
       Last_Names    => Partitions.Console.Law_Names,
       Has_Truth     => Partitions.Ground_Station.Has_Truth);

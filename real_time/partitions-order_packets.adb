@@ -2,6 +2,7 @@
 
 with URVOS;
 with URV.Configurations;
+with URV.Recorder_Blocks;
 with URV.Test_Cards;
 with URV.Type_Codes; use URV.Type_Codes;
 
@@ -34,8 +35,8 @@ package body Partitions.Order_Packets is
    with
      Pre => Bytes'First = 1 and then Bytes'Last = Configuration_Length;
 
-   --  The words of a card's block, if their sum is right.
-   procedure Read_Card
+   --  The words of a card's block, or of a request's, if their sum is right.
+   procedure Read_Words
      (Bytes    : Octet_Array;
       Block    : out Uplink_Buffer;
       Is_Valid : out Boolean)
@@ -65,7 +66,7 @@ package body Partitions.Order_Packets is
       Block := (if Is_Valid then Block_Of (Item) else Neutral_Uplink);
    end Read_Configuration;
 
-   procedure Read_Card
+   procedure Read_Words
      (Bytes    : Octet_Array;
       Block    : out Uplink_Buffer;
       Is_Valid : out Boolean)
@@ -75,16 +76,16 @@ package body Partitions.Order_Packets is
       Place : Positive := Items_At;
    begin
       Block := Neutral_Uplink;
-      Block (Roll) := Test_Card_Kind;
+      Block (Roll) := URVOS.Word (Value_At (Bytes, Kind_At, 2));
       Block (Error_Status) := Other_Kind;
       for Item in Card_Words loop
          Block (Item) := URVOS.Word (Value_At (Bytes, Place, 2));
          Place := Place + 2;
       end loop;
       Is_Valid :=
-        Value_At (Bytes, Kind_At, 2) = Number (Test_Card_Kind)
-        and then URV.Test_Cards.Is_Whole (Block);
-   end Read_Card;
+        URV.Test_Cards.Is_Whole (Block)
+        or else URV.Recorder_Blocks.Is_Whole (Block);
+   end Read_Words;
 
    procedure Read
      (Source   : Octet_Array;
@@ -99,7 +100,7 @@ package body Partitions.Order_Packets is
          when Configuration_Length =>
             Read_Configuration (Bytes, Item.Block, Is_Valid);
          when Card_Length =>
-            Read_Card (Bytes, Item.Block, Is_Valid);
+            Read_Words (Bytes, Item.Block, Is_Valid);
          when others =>
             Is_Valid := False;
             return;

@@ -1,14 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The order packet: the station's orders besides the sticks, in one datagram
---  (GND-35, FTI-8). Its layout is in docs/station-packets.md.
+--  (GND-35, FTI-8, FTI-10). Its layout is in docs/station-packets.md.
 
 with Partitions.Octets; use Partitions.Octets;
 with URV.Buffers;       use URV.Buffers;
 
 package Partitions.Order_Packets is
 
-   --  The bytes of an order: a configuration, or a test card.
+   --  The bytes of an order: a configuration; or a test card, or a request for
+   --  rows of the flight recorder.
    Configuration_Length : constant := 34;
    Card_Length          : constant := 50;
 

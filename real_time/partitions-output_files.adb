@@ -15,13 +15,16 @@ package body Partitions.Output_Files is
    use type URVOS.Count;
 
    --  The outputs of Kept, and standard output.
-   type Place is (Record_Place, Summary_Place, Events_Place, Screen_Place);
+   type Place is
+     (Record_Place, Recording_Place, Summary_Place, Events_Place,
+      Screen_Place);
 
    function Place_Of (Which : Kept) return Place is
      (case Which is
-         when Record_Option  => Record_Place,
-         when Summary_Option => Summary_Place,
-         when others         => Events_Place);
+         when Record_Option    => Record_Place,
+         when Recording_Option => Recording_Place,
+         when Summary_Option   => Summary_Place,
+         when others           => Events_Place);
 
    --  At the end an output that accepts no text for this time is lost.
    Longest_Wait : constant Time_Span := Seconds (3);
@@ -82,6 +85,9 @@ package body Partitions.Output_Files is
          case Which is
             when Record_Place  =>
                Write (Buffers (Which), Files (Record_Option), Is_Over);
+            when Recording_Place =>
+               Write (Buffers (Which), Files (Recording_Option), Is_Over);
+               Synchronise (Files (Recording_Option));
             when Summary_Place =>
                Write (Buffers (Which), Files (Summary_Option), Is_Over);
             when Events_Place  =>
@@ -95,12 +101,14 @@ package body Partitions.Output_Files is
       end loop;
    end File_Writer;
 
-   Record_Writer  : File_Writer (Record_Place);
-   Summary_Writer : File_Writer (Summary_Place);
-   Events_Writer  : File_Writer (Events_Place);
-   Screen_Writer  : File_Writer (Screen_Place);
+   Record_Writer    : File_Writer (Record_Place);
+   Recording_Writer : File_Writer (Recording_Place);
+   Summary_Writer   : File_Writer (Summary_Place);
+   Events_Writer    : File_Writer (Events_Place);
+   Screen_Writer    : File_Writer (Screen_Place);
    pragma Unreferenced
-     (Record_Writer, Summary_Writer, Events_Writer, Screen_Writer);
+     (Record_Writer, Recording_Writer, Summary_Writer, Events_Writer,
+      Screen_Writer);
 
    procedure Open (Chosen : Choices) is
    begin
@@ -114,11 +122,11 @@ package body Partitions.Output_Files is
    function Can_Restart (Which : Kept) return Boolean is
      (Can_Restart (Files (Which)));
 
-   procedure Put_Row (Text : String) is
+   procedure Put_Row (Text : String; Which : Growing := Record_Option) is
       Is_Taken : Boolean := False;
    begin
-      if not Is_Lost (Files (Record_Option)) then
-         Buffers (Record_Place).Put (Text, Is_Taken);
+      if not Is_Lost (Files (Which)) then
+         Buffers (Place_Of (Which)).Put (Text, Is_Taken);
       end if;
       if not Is_Taken then
          Left_Out := URVOS.Incremented (Left_Out);
@@ -127,9 +135,9 @@ package body Partitions.Output_Files is
 
    function Rows_Left_Out return URVOS.Count is (Left_Out);
 
-   procedure Write_Rows is
+   procedure Write_Rows (Which : Growing := Record_Option) is
    begin
-      Set_True (Data_Waiting (Record_Place));
+      Set_True (Data_Waiting (Place_Of (Which)));
    end Write_Rows;
 
    procedure Put_Version (Which : Kept; Text : String) is

@@ -13,7 +13,7 @@ with URVOS;
 package Partitions.Output_Files is
 
    subtype Kept is Output_Option
-     with Static_Predicate => Kept /= Wire_Option;
+     with Static_Predicate => Kept not in Wire_Option | Fetched_Option;
 
    --  Opens the requested outputs. Raises Host.Bad_Input.
    procedure Open (Chosen : Choices);
@@ -24,15 +24,19 @@ package Partitions.Output_Files is
    function Can_Restart (Which : Kept) return Boolean
      with Pre => Is_Open (Which);
 
+   --  The outputs that grow by rows.
+   subtype Growing is Kept range Record_Option .. Recording_Option;
+
    --  Puts a row and the end of its line. A row without room, or without a
    --  file, is counted and left out.
-   procedure Put_Row (Text : String)
-     with Pre => Is_Open (Record_Option);
+   procedure Put_Row (Text : String; Which : Growing := Record_Option)
+     with Pre => Is_Open (Which);
    function Rows_Left_Out return URVOS.Count;
 
-   --  Writes the rows so far to the file.
-   procedure Write_Rows
-     with Pre => Is_Open (Record_Option);
+   --  Writes the rows so far to the file, those of a recording to its disk
+   --  (FTI-11).
+   procedure Write_Rows (Which : Growing := Record_Option)
+     with Pre => Is_Open (Which);
 
    --  Replaces the whole contents of the file.
    procedure Put_Version (Which : Kept; Text : String)

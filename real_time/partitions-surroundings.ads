@@ -23,6 +23,10 @@ generic
       To     : in out Host.Text_Output.Writer);
    with procedure Put_Events (To : in out Host.Text_Output.Writer);
 
+   --  The new rows of a flight recorder, of a node that has one (FTI-11).
+   with procedure Put_Recording
+     (To : in out Host.Text_Output.Writer) is null;
+
    --  The reason of a failed run; empty after a good one.
    with function Failure return String;
 

@@ -147,6 +147,30 @@ package Partitions.System_Calls is
       Flags  : int) return Byte_Total
    with Import, Convention => C, External_Name => "send";
 
+   --  The same, with the address of the other side: the longest is that of
+   --  struct sockaddr_in6.
+
+   type Socket_Address is array (1 .. 28) of unsigned_char
+   with Convention => C;
+
+   function Receive_From
+     (From   : File;
+      Buffer : System.Address;
+      Length : size_t;
+      Flags  : int;
+      Sender : System.Address;
+      Sender_Length : in out unsigned) return Byte_Total
+   with Import, Convention => C, External_Name => "recvfrom";
+
+   function Send_To
+     (To     : File;
+      Buffer : System.Address;
+      Length : size_t;
+      Flags  : int;
+      Receiver : System.Address;
+      Receiver_Length : unsigned) return Byte_Total
+   with Import, Convention => C, External_Name => "sendto";
+
    --  Serial lines
 
    Read_Write     : constant := 2;

@@ -16,6 +16,7 @@ procedure Urv_MCS is
       Next_Message => Partitions.Aircraft.Next_Message,
       Put_Counts   => Partitions.Aircraft.Put_Counts,
       Put_Events   => Partitions.Plant.Put_Events,
+      Put_Recording => Partitions.Aircraft.Put_Recording,
       Failure      => Partitions.Plant.Failure,
       Stop         => Partitions.Plant.Stop);
 

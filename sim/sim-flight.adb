@@ -13,6 +13,7 @@ with Host.Names;
 with Host.Outputs;        use Host.Outputs;
 with Host.Pilot;
 with Host.Plant_Messages; use Host.Plant_Messages;
+with Host.Recordings;
 with Host.Sensor_Scripts;
 with Host.Stick_Scripts;
 with Host.Surface_Faults;
@@ -75,6 +76,9 @@ package body Sim.Flight is
    --  aircraft's true state is known; Never if none waits.
    Unobserved : Microseconds := Host.Never;
 
+   package Rows_Aboard is new Recordings.Followers
+     (Nodes.Recorder, Nodes.Recorded);
+
    procedure Load_Inputs (Chosen : Choices);
 
    procedure Start_Aircraft (Chosen : Choices);
@@ -98,6 +102,9 @@ package body Sim.Flight is
 
    --  Observes the quality of the flight up to the end of the ground's frame.
    procedure Observe;
+
+   --  Writes what the recorder aboard has made, and what came down of it.
+   procedure Follow_Recorder;
 
    --  A major frame of the ground has ended. Waits: JSBSim has not answered.
    procedure End_Frame
@@ -359,6 +366,19 @@ package body Sim.Flight is
       end if;
    end Observe;
 
+   procedure Follow_Recorder is
+      Block : Downlink_Buffer;
+      Found : Boolean;
+   begin
+      if Text_Output.Is_Open (Files (Recording_Option)) then
+         Rows_Aboard.Put_New_Rows (Files (Recording_Option));
+      end if;
+      Nodes.Take_Recorder_Block (Block, Found);
+      if Found and then Text_Output.Is_Open (Files (Fetched_Option)) then
+         Recordings.Put_Block (Files (Fetched_Option), Block);
+      end if;
+   end Follow_Recorder;
+
    procedure End_Frame
      (Chosen : Choices; Time : Microseconds; Waits : Boolean)
    is
@@ -416,6 +436,7 @@ package body Sim.Flight is
          end if;
       end if;
 
+      Follow_Recorder;
       Progress.Show (Time);
    end End_Frame;
 
@@ -706,6 +727,7 @@ package body Sim.Flight is
       Nodes.Set_Schedule (Chosen.Schedule);
       Nodes.Set_Lock (Chosen.Lock);
       Nodes.Set_Line (Chosen.Line_Delay);
+      Nodes.Set_Recorder (Recordings.Length_Of (Chosen.Recorder));
       Nodes.Set_Laws (Chosen.Laws, Loss_Times.Frames_Of (Chosen.Loss));
       Seal_Link (Keys);
       Engine.Start

@@ -128,6 +128,25 @@ package body Sim.Nodes is
    function Failed_Surfaces return Word is
      (URV.Surface_Monitor.Failed_Bits (MCS.Law_Memory.Contents.Watched));
 
+   procedure Set_Recorder (Length : URV.Recorder_Rings.Ring_Length) is
+   begin
+      MCS.Recorder.Set_Length (Length);
+   end Set_Recorder;
+
+   function Recorder return URV.Recorder_Rings.Ring is
+     (MCS.Recorder.Contents);
+
+   function Recorded
+     (Number : URV.Recorder_Rows.Row_Number) return URV.Recorder_Rows.Row
+   is
+     (MCS.Recorder.Row_At (Number));
+
+   procedure Take_Recorder_Block
+     (Block : out Downlink_Buffer; Found : out Boolean) is
+   begin
+      GSC.Recorder_Blocks.Look (Block, Found);
+   end Take_Recorder_Block;
+
    procedure Order (Block : Uplink_Buffer) is
       Unused_Success : Boolean;
    begin

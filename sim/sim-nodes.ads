@@ -15,6 +15,8 @@ with URV.Laws;
 with URV.Link_Loss;
 with URV.Seal_Blocks;
 with URV.Handshakes;
+with URV.Recorder_Rings;
+with URV.Recorder_Rows;
 with URV.Test_Runs;
 with URV.Sessions;
 with URVOS;        use URVOS;
@@ -118,6 +120,10 @@ package Sim.Nodes is
    --  The aircraft's control laws are on or off, from the next start on.
    procedure Set_Laws (On : Boolean; By : URV.Link_Loss.Times);
 
+   --  Before the nodes are switched on: the length of the aircraft's flight
+   --  recorder.
+   procedure Set_Recorder (Length : URV.Recorder_Rings.Ring_Length);
+
    --  The ground's console orders a block besides the sticks.
    procedure Order (Block : Uplink_Buffer);
 
@@ -143,6 +149,14 @@ package Sim.Nodes is
 
    --  The test cards aboard and their run.
    function Cards return URV.Test_Runs.Aboard;
+
+   --  The aircraft's flight recorder, and a new block of it that has come to
+   --  the ground.
+   function Recorder return URV.Recorder_Rings.Ring;
+   function Recorded
+     (Number : URV.Recorder_Rows.Row_Number) return URV.Recorder_Rows.Row;
+   procedure Take_Recorder_Block
+     (Block : out Downlink_Buffer; Found : out Boolean);
 
    --  The processor board with the node's ROM and RAM.
    function Memory_Of (Which : Node) return Devices.Memory_Bus.Board_Number;

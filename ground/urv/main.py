@@ -18,7 +18,8 @@ from pathlib import Path
 import typer
 
 from urv import (card, convert, faults, ground, identify, keygen, mavlink,
-                 monte_carlo, pictures, report, station, xtce, yamcs_gate)
+                 monte_carlo, pictures, recorder, report, station, xtce,
+                 yamcs_gate)
 
 # Typer's status for an interrupt, too.
 INTERRUPTED = 130
@@ -61,6 +62,7 @@ app.command()(convert.convert)
 app.command()(report.report)
 app.command()(identify.identify)
 app.add_typer(card.app, name="card")
+app.add_typer(recorder.app, name="recorder")
 app.command()(xtce.xtce)
 app.command()(station.station)
 app.command()(mavlink.mavlink)

@@ -12,6 +12,7 @@ import struct
 from dataclasses import dataclass
 from enum import IntEnum, IntFlag
 from operator import add
+from typing import ClassVar
 
 from urv import items
 from urv.tables import TABLES
@@ -96,8 +97,15 @@ ORDER_LENGTH = _ORDER.size
 CARD = 0x500
 """The same, for a test card."""
 CARD_WORDS = 12
+REQUEST = 0x700
+"""The same, for rows of the flight recorder."""
 _CARD = struct.Struct(f">IHHIIQ{1 + CARD_WORDS}H")
 CARD_LENGTH = _CARD.size
+_RECORDER_MAGIC = int.from_bytes(b"URVR")
+RECORDER_KINDS = (0x700, 0x800)
+RECORDER_WORDS = 27
+_RECORDER = struct.Struct(f">IHHH{RECORDER_WORDS}H")
+RECORDER_LENGTH = _RECORDER.size
 
 
 class PacketError(ValueError):
@@ -365,6 +373,8 @@ class CardPacket:
     """A test card ordered by the station: the words of its block after the
     kind."""
 
+    KIND: ClassVar[int] = CARD
+
     run: int
     sequence: int
     time_us: int
@@ -376,7 +386,7 @@ class CardPacket:
         try:
             return _CARD.pack(
                 _ORDER_MAGIC, VERSION, CARD_LENGTH, self.run, self.sequence,
-                self.time_us, CARD, *self.words)
+                self.time_us, self.KIND, *self.words)
         except struct.error as error:
             raise PacketError(f"card packet: {error}") from error
 
@@ -385,9 +395,9 @@ class CardPacket:
         """The packet in a datagram."""
         _check("card packet", data, _ORDER_MAGIC, {VERSION: CARD_LENGTH})
         _, _, _, run, sequence, time_us, kind, *words = _CARD.unpack(data)
-        if kind != CARD:
+        if kind != cls.KIND:
             raise PacketError(f"card packet: kind {kind:04x}h, not"
-                              f" {CARD:04x}h")
+                              f" {cls.KIND:04x}h")
         packet = cls(run, sequence, time_us, tuple(words))
         packet._check_words()
         return packet
@@ -397,6 +407,24 @@ class CardPacket:
                 0 <= word <= LARGEST_SERIAL for word in self.words):
             raise PacketError(f"card packet: there are {CARD_WORDS} words, 0"
                               f" to {LARGEST_SERIAL}")
+
+
+class RequestPacket(CardPacket):
+    """A request for rows of the flight recorder, in the same layout."""
+
+    KIND: ClassVar[int] = REQUEST
+
+
+def decode_recorder(data: bytes) -> tuple[int, tuple[int, ...]]:
+    """The kind and the words of a block of the flight recorder."""
+    _check("recorder packet", data, _RECORDER_MAGIC,
+           {VERSION: RECORDER_LENGTH})
+    _, _, _, kind, *words = _RECORDER.unpack(data)
+    if kind not in RECORDER_KINDS:
+        raise PacketError(f"recorder packet: kind {kind:04x}h, not "
+                          + " or ".join(f"{each:04x}h"
+                                        for each in RECORDER_KINDS))
+    return kind, tuple(words)
 
 
 def _check(what: str, data: bytes, magic: int,

@@ -23,7 +23,7 @@ from pathlib import Path
 
 import numpy
 
-from urv import faults, input_files, items
+from urv import faults, input_files, items, recordings
 from urv.packets import FRAME_US
 
 ROWS_PER_BLOCK = 2_000
@@ -359,6 +359,9 @@ def opened(path, forgiving=False):
     if kind == ".csv":
         with input_files.opened_text(path) as file:
             yield CsvRecord(path, file, forgiving)
+    elif kind == recordings.KIND:
+        with recordings.opened(path, forgiving) as record:
+            yield record
     elif kind in KINDS:
         with _module(kind).opened(path, forgiving) as record:
             yield record

@@ -29,6 +29,11 @@ package URV.Type_Codes with Pure, SPARK_Mode is
    Configuration_Kind : constant Word := 16#0400#;
    Test_Card_Kind     : constant Word := 16#0500#;
 
+   --  FTI-10: an uplink's request for rows of the flight recorder and, in a
+   --  downlink, the rows; and the report that precedes them.
+   Recorder_Kind        : constant Word := 16#0700#;
+   Recorder_Report_Kind : constant Word := 16#0800#;
+
    subtype Uplink_Code is Word range
      Commands_Kind + 1
      .. Commands_Kind + Uplink_Item'Pos (Uplink_Item'Last) + 1;

@@ -57,6 +57,7 @@ package body GSC with SPARK_Mode is
       Downlink_Variable.Reset;
       TELOUT_Variable.Reset;
       Console_Orders.Reset;
+      Recorder_Blocks.Reset;
       GDCIN.Reset;
    end Reset_Variables;
 
@@ -71,6 +72,7 @@ package body GSC with SPARK_Mode is
       Downlink_Variable.Restart;
       TELOUT_Variable.Restart;
       Console_Orders.Restart;
+      Recorder_Blocks.Restart;
    end Restart_Variables;
 
    procedure Tell_Time (Now : Clock_Tick) is

@@ -67,6 +67,10 @@ package GSC with SPARK_Mode is
    --  kind (EXT-2).
    Console_Orders : For_Uplink.Variable;
 
+   --  The latest block of the aircraft's flight recorder, for the station
+   --  (FTI-10).
+   Recorder_Blocks : For_Downlink.Variable;
+
    Errors : URV.Shared_Errors.Shared_Log;
 
    Sealing : URV.Shared_Seals.Shared_Seal (Telemetry.Ground);
@@ -92,7 +96,8 @@ package GSC with SPARK_Mode is
    package Log_Receiver is new URV.Log_Receivers (CORE_Memory);
 
    package GDCIN is new URV.GDCIN_Task
-     (TELIN_Variable, Downlink_Variable, Errors, Log_Receiver.Take_Piece);
+     (TELIN_Variable, Downlink_Variable, Recorder_Blocks, Errors,
+      Log_Receiver.Take_Piece);
 
    package GDCOUT is new URV.GDCOUT_Task
      (AD_Variable, Uplink_Variable, TELOUT_Variable, Console_Orders, Status,

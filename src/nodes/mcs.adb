@@ -50,7 +50,9 @@ package body MCS with SPARK_Mode is
             when PWM_Task       => PWM.Run_Transaction;
             when TELOUT_Task    => TELOUT.Run_Transaction;
             when CORE_Task      => CORE.Run_Transaction;
-            when LOG_Task       => LOG.Run_Transaction;
+            when LOG_Task       =>
+               LOG.Run_Transaction;
+               Flight_Recorder.Record_Frame;
             when SELF_TEST_Task => SELF_TEST.Run_Transaction;
          end case;
       end if;
@@ -78,9 +80,12 @@ package body MCS with SPARK_Mode is
       TELOUT_Variable.Reset;
       Commands_Variable.Reset;
       Configuration_Variable.Reset;
+      Recorder_Requests.Reset;
       Sensors_Variable.Reset;
       PWM_Variable.Reset;
       MDCIN.Reset;
+      Recorder.Clear;
+      Recorder_Sender.Restart;
       Law_Memory.Write (URV.LAW_Steps.At_Start);
       Surface_Health.Write (URV.Allocation.All_Well);
       Test_Added.Write (URV.Test_Inputs.Nothing_Added);
@@ -100,6 +105,8 @@ package body MCS with SPARK_Mode is
       TELOUT_Variable.Restart;
       Commands_Variable.Restart;
       Configuration_Variable.Restart;
+      Recorder_Requests.Restart;
+      Recorder_Sender.Restart;
       Sensors_Variable.Restart;
       PWM_Variable.Restart;
       Law_Memory.Write (URV.LAW_Steps.Restarted (Kept));

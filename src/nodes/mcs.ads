@@ -24,6 +24,7 @@ with URV.AD_Task;
 with URV.ADINT_Handler;
 with URV.Codecs;         use URV.Codecs;
 with URV.CORE_Task;
+with URV.Flight_Recorder;
 with URV.LAW_Task;
 with URV.Log_Senders;
 with URV.LOG_Task;
@@ -32,11 +33,13 @@ with URV.MDCIN_Task;
 with URV.MDCOUT_Task;
 with URV.PWM_Boards;
 with URV.PWM_Task;
+with URV.Recorder_Senders;
 with URV.Self_Test_Task;
 with URV.Shared_CORE_Memory;
 with URV.Shared_Inputs;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
+with URV.Shared_Recorders;
 with URV.Shared_Schedules;
 with URV.Shared_Seals;
 with URV.Shared_Surfaces;
@@ -76,6 +79,7 @@ package MCS with SPARK_Mode is
    TELOUT_Variable   : For_Downlink.Variable;
    Commands_Variable : For_Uplink.Variable;
    Configuration_Variable : For_Uplink.Variable;
+   Recorder_Requests : For_Uplink.Variable;
    Sensors_Variable  : For_Downlink.Variable;
    PWM_Variable      : For_Uplink.Variable;
 
@@ -104,6 +108,10 @@ package MCS with SPARK_Mode is
    --  The inputs of a test card in this frame (FTI-3).
    Test_Added : URV.Shared_Inputs.Store;
 
+   --  The flight recorder (FTI-9, FTI-10): its length is set before the node
+   --  is switched on.
+   Recorder : URV.Shared_Recorders.Recorder;
+
    --  Tasks
 
    package ADINT is new URV.ADINT_Handler
@@ -119,14 +127,17 @@ package MCS with SPARK_Mode is
 
    package MDCIN is new URV.MDCIN_Task
      (TELIN_Variable, Uplink_Variable, Commands_Variable,
-      Configuration_Variable, Errors);
+      Configuration_Variable, Recorder_Requests, Errors);
 
    package Log_Sender is new URV.Log_Senders
      (Errors, Law_Settings, Law_Memory);
 
+   package Recorder_Sender is new URV.Recorder_Senders
+     (Recorder_Requests, Recorder);
+
    package MDCOUT is new URV.MDCOUT_Task
      (AD_Variable, Downlink_Variable, Sensors_Variable, TELOUT_Variable,
-      Status, Errors, Sensor_Codes, Log_Sender.Next);
+      Status, Errors, Sensor_Codes, Log_Sender.Next, Recorder_Sender.Next);
 
    package LAW is new URV.LAW_Task
      (Commands_Variable, Sensors_Variable, PWM_Variable,
@@ -144,6 +155,10 @@ package MCS with SPARK_Mode is
      (Uplink_Variable, Downlink_Variable, CORE_Memory, Errors);
 
    package LOG is new URV.LOG_Task (Telemetry_Board, CORE_Memory, Errors);
+
+   --  The last act of LOG's step.
+   package Flight_Recorder is new URV.Flight_Recorder
+     (CORE_Memory, PWM_Board, Law_Memory, Errors, Recorder);
 
    package SELF_TEST is new URV.Self_Test_Task
      (Last            => Last_ROM_Byte,

@@ -36,12 +36,28 @@ package URV.GDCIN_Steps with Pure, SPARK_Mode is
      (not Is_Old (Message))
    with Global => null;
 
-   --  A block of another kind is an error, since no task of the ground takes
-   --  one. An old block was reported when it came.
-   function Is_Unknown
+   --  A new block of another kind. An old one was taken or reported when it
+   --  came.
+   function Is_New_Kind
      (Item : Downlink_Buffer; Fresh : Boolean) return Boolean
    is
      (Fresh and then Is_Other_Kind (Item) and then not Is_Old (Item))
+   with Global => null;
+
+   --  The block is of the aircraft's flight recorder (FTI-10).
+   function Is_Of_Recorder
+     (Item : Downlink_Buffer; Fresh : Boolean) return Boolean
+   is
+     (Is_New_Kind (Item, Fresh)
+      and then Kind_Of (Item) in Recorder_Kind | Recorder_Report_Kind)
+   with Global => null;
+
+   --  The block is for no task; this is an error.
+   function Is_Unknown
+     (Item : Downlink_Buffer; Fresh : Boolean) return Boolean
+   is
+     (Is_New_Kind (Item, Fresh)
+      and then Kind_Of (Item) not in Recorder_Kind | Recorder_Report_Kind)
    with Global => null;
 
    --  The place of the first new sensor that is out of range, from 1; 0 if

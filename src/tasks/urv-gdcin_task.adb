@@ -19,6 +19,7 @@ package body URV.GDCIN_Task with SPARK_Mode is
       Message : Downlink_Buffer;
       Fresh   : Boolean;
       Success : Boolean;
+      Unused_Success : Boolean;
    begin
       TELIN_Variable.Receive (Item, Fresh);
       Message := Passed_On (Item, Fresh, Last);
@@ -35,6 +36,9 @@ package body URV.GDCIN_Task with SPARK_Mode is
            (Input_Out_Of_Range, Word (Place_Out_Of_Range (Item, Fresh)));
       end if;
 
+      if Is_Of_Recorder (Item, Fresh) then
+         Recorder_Blocks.Send (Item, Unused_Success);
+      end if;
       Downlink_Variable.Send (For_CORE (Message), Success);
       if not Success then
          Errors.Report (Downlink_Not_Consumed, 0);

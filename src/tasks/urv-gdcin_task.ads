@@ -7,8 +7,9 @@
 --  aircraft's error log goes to the log's receiver (SAF-7). A frame without a
 --  new message passes on the last one, marked as old.
 --
---  A block of another kind is reported and discarded (EXT-2). CORE gets the
---  last message, marked as old.
+--  A block of the aircraft's flight recorder goes to the station (FTI-10). A
+--  block of any other kind is reported and discarded (EXT-2). In both cases
+--  CORE gets the last message, marked as old.
 
 with URVOS.Shared_Data;
 with URV.Buffers;       use URV.Buffers;
@@ -19,6 +20,7 @@ with URV.Shared_Errors; use URV.Shared_Errors;
 generic
    TELIN_Variable    : in out For_Downlink.Variable;
    Downlink_Variable : in out For_Downlink.Variable;
+   Recorder_Blocks   : in out For_Downlink.Variable;
    Errors            : in out Shared_Log;
    with procedure Take_Piece (Item : Piece);
 package URV.GDCIN_Task with SPARK_Mode is

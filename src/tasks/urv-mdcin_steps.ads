@@ -40,12 +40,20 @@ package URV.MDCIN_Steps with Pure, SPARK_Mode is
       and then Kind_Of (Item) in Configuration_Kind | Test_Card_Kind)
    with Global => null;
 
+   --  The block is a request for rows of the flight recorder (FTI-10).
+   function Is_For_Recorder
+     (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
+   is
+     (Is_New_Kind (Item, Fresh) and then Kind_Of (Item) in Recorder_Kind)
+   with Global => null;
+
    --  The block is for no task; this is an error.
    function Is_Unknown
      (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
    is
      (Is_New_Kind (Item, Fresh)
-      and then Kind_Of (Item) not in Configuration_Kind | Test_Card_Kind)
+      and then Kind_Of (Item) not in
+                 Configuration_Kind | Test_Card_Kind | Recorder_Kind)
    with Global => null;
 
    --  The place of the first new command that is out of range, from 1; 0 if

@@ -39,6 +39,9 @@ package body URV.MDCIN_Task with SPARK_Mode is
       if Is_For_Laws (Item, Fresh) then
          Configuration_Variable.Send (Item, Unused_Success);
       end if;
+      if Is_For_Recorder (Item, Fresh) then
+         Recorder_Requests.Send (Item, Unused_Success);
+      end if;
       Uplink_Variable.Send (Message, Success);
       if not Success then
          Errors.Report (Uplink_Not_Consumed, 0);

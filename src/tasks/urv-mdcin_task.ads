@@ -6,9 +6,10 @@
 --  Consumes TELIN_variable, produces uplink_variable and commands_variable. A
 --  frame without a new message passes on the last one, marked as old.
 --
---  A configuration and a test card go to the laws (EXT-2, FTI-1). A block of
---  any other kind is reported and discarded. In both cases CORE and the laws
---  get the last message, marked as old.
+--  A configuration and a test card go to the laws (EXT-2, FTI-1), a request
+--  for rows to the recorder's sender (FTI-10). A block of any other kind is
+--  reported and discarded. In all these cases CORE and the laws get the last
+--  message, marked as old.
 
 with URVOS.Shared_Data;
 with URV.Buffers;       use URV.Buffers;
@@ -20,6 +21,7 @@ generic
    Uplink_Variable        : in out For_Uplink.Variable;
    Commands_Variable      : in out For_Uplink.Variable;
    Configuration_Variable : in out For_Uplink.Variable;
+   Recorder_Requests      : in out For_Uplink.Variable;
    Errors                 : in out Shared_Log;
 package URV.MDCIN_Task with SPARK_Mode is
 
@@ -36,6 +38,7 @@ package URV.MDCIN_Task with SPARK_Mode is
    with
      Global =>
        (In_Out => (Previous, TELIN_Variable, Uplink_Variable,
-                   Commands_Variable, Configuration_Variable, Errors));
+                   Commands_Variable, Configuration_Variable,
+                   Recorder_Requests, Errors));
 
 end URV.MDCIN_Task;

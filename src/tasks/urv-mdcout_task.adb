@@ -1,7 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URVOS;            use URVOS;
-with URV.Buffers;      use URV.Buffers;
 with URV.Errors;       use URV.Errors;
 with URV.MDCOUT_Steps; use URV.MDCOUT_Steps;
 with URV.Routing;      use URV.Routing;
@@ -13,6 +12,8 @@ package body URV.MDCOUT_Task with SPARK_Mode is
       Unknown : constant Unknown_Count := First_Unknown_Sensor (Codes);
       Image   : AD_Image;
       Message : Downlink_Buffer;
+      Block   : Downlink_Buffer;
+      Is_Sent : Boolean;
       Next    : Piece;
       Fresh   : Boolean;
       Success : Boolean;
@@ -32,8 +33,12 @@ package body URV.MDCOUT_Task with SPARK_Mode is
          Errors.Report (Downlink_Not_Consumed, 0);
       end if;
       Sensors_Variable.Send (Message, Unused_Success);
-      Next_Piece (Next);
-      TELOUT_Variable.Send (For_Link (Message, Next), Success);
+      Next_Block (Message, Block, Is_Sent);
+      if not Is_Sent then
+         Next_Piece (Next);
+         Block := For_Link (Message, Next);
+      end if;
+      TELOUT_Variable.Send (Block, Success);
       if not Success then
          Errors.Report (Output_Not_Consumed, 0);
       end if;

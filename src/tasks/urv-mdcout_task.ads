@@ -6,11 +6,14 @@
 --  Consumes AD_variable, produces downlink_variable, sensors_variable and
 --  TELOUT_variable. A frame without a new image passes on the last data,
 --  marked as old. The node's own bits are added to the error/status word
---  (TST-4). The downlink also carries a fragment of the error log (SAF-7).
+--  (TST-4). The downlink also carries a fragment of the error log (SAF-7). On
+--  the ground a row of the flight recorder may go down in place of the sensors
+--  (FTI-10).
 --
 --  Each channel's word goes to the item of its type code. A channel with an
 --  unknown code is reported, and its word is discarded (EXT-2).
 
+with URV.Buffers;       use URV.Buffers;
 with URV.Log_Pieces;    use URV.Log_Pieces;
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.Shared_Errors; use URV.Shared_Errors;
@@ -26,6 +29,12 @@ generic
    Errors            : in out Shared_Log;
    Codes             : Channel_Codes;
    with procedure Next_Piece (Item : out Piece);
+
+   --  A block of the flight recorder, in place of the sensors.
+   with procedure Next_Block
+     (Sensors : Downlink_Buffer;
+      Block   : out Downlink_Buffer;
+      Is_Sent : out Boolean);
 package URV.MDCOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction;

@@ -57,6 +57,7 @@ package body All_Tests is
       Surfaces_Tests.Add_To (Result);
       CORE_Tests.Add_To (Result);
       LOG_Task_Tests.Add_To (Result);
+      Recorder_Tests.Add_To (Result);
       Serial_Line_Tests.Add_To (Result);
       Flood_Tests.Add_To (Result);
       Output_Buffers_Tests.Add_To (Result);

@@ -16,6 +16,8 @@ package body Task_Suite is
 
    package body LOG_Task_Tests is separate;
 
+   package body Recorder_Tests is separate;
+
    package body Serial_Line_Tests is separate;
 
    package body Flood_Tests is separate;

@@ -60,6 +60,13 @@ package Task_Suite is
 
    end LOG_Task_Tests;
 
+   --  FTI-9, FTI-10: the flight recorder, and its rows on the way down.
+   package Recorder_Tests is
+
+      procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite);
+
+   end Recorder_Tests;
+
    --  RTP-1: a serial device reports errors of characters.
    package Serial_Line_Tests is
 

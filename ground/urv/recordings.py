@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The rows of the aircraft's flight recorder (FTI-9 to FTI-11).
+
+A recording is a text file: a line that names it, then a line for each row, 72
+words of four hexadecimal digits, in the order of src/formats/
+urv-recorder_rows.ads. The partition writes one (--recording), and so does
+bin/urv recorder. A row counts only if its sums are right.
+"""
+
+from __future__ import annotations
+
+import re
+from contextlib import contextmanager
+from pathlib import Path
+
+from urv import faults, input_files, items
+from urv.tables import TABLES
+
+KIND = ".recording"
+"""The end of the name of a recording."""
+
+TITLE = "urv recording 1"
+WORDS = 72
+CONTENT = 70
+
+MOST_ROWS = 2 ** 22
+"""Numbers of rows are smaller."""
+
+_LINE = re.compile(f"[0-9a-f]{{{4 * WORDS}}}")
+
+FRAME_MS = TABLES["frame_us"] / 1000
+TICK_US = 2_000
+
+
+def sums(words) -> tuple[int, int]:
+    """The sum of the contents of a row, and that of its partial sums."""
+    total = partials = 0
+    for word in words[:CONTENT]:
+        total += word
+        partials += total
+    return total & 0xFFFF, partials & 0xFFFF
+
+
+def is_right(words) -> bool:
+    """A row is as the aircraft made it."""
+    return (len(words) == WORDS
+            and tuple(words[CONTENT:]) == sums(words)
+            and number_of(words) < MOST_ROWS)
+
+
+def number_of(words) -> int:
+    return words[0] << 16 | words[1]
+
+
+def line_of(words) -> str:
+    return "".join(f"{word:04x}" for word in words) + "\n"
+
+
+def words_of(line: str):
+    """The words of a line, or None if it is not a row with right sums."""
+    text = line.rstrip("\n")
+    if not _LINE.fullmatch(text):
+        return None
+    words = tuple(int(text[at:at + 4], 16)
+                  for at in range(0, len(text), 4))
+    return words if is_right(words) else None
+
+
+class Recording:
+    """The rows of a file since the last cold start, in order of their numbers;
+    each once."""
+
+    def __init__(self, path: Path):
+        self.path = path
+        self.rows = []
+        self.wrong = []
+        """The lines that are no rows, but for a last one without its end."""
+        self.cut_short = None
+        with input_files.opened_text(path) as file:
+            self.read(file)
+
+    def read(self, file):
+        where = faults.quoted(self.path)
+        first = file.readline(len(TITLE) + 2)
+        if first != TITLE + "\n":
+            raise faults.Refused(f"{where}: not a recording: it does not begin"
+                                 f" with \"{TITLE}\"")
+        number = 1
+        while line := file.readline(4 * WORDS + 2):
+            number += 1
+            if line == TITLE + "\n":
+                self.rows, self.wrong = [], []
+                continue
+            words = words_of(line)
+            if not line.endswith("\n"):
+                self.cut_short = (f"its line {number} is not whole and left"
+                                  " out")
+            elif words is None or (
+                    self.rows
+                    and number_of(words) <= number_of(self.rows[-1])):
+                self.wrong.append(number)
+            else:
+                self.rows.append(words)
+        if self.wrong:
+            self.cut_short = (
+                f"{len(self.wrong)} lines are no rows, the first is line"
+                f" {self.wrong[0]}" + (f"; {self.cut_short}"
+                                       if self.cut_short else ""))
+
+
+def write(path: Path, rows) -> None:
+    """A recording of rows, in order."""
+    with path.open("w", encoding="ascii", newline="\n") as file:
+        file.write(TITLE + "\n")
+        for words in rows:
+            file.write(line_of(words))
+
+
+def _names(group):
+    return [column for column in items.COLUMNS
+            if column.startswith(group + ".")]
+
+
+GROUPS = (("mcs.downlink", 4), ("mcs.uplink", 32), ("pwm", 46))
+"""The groups of columns, and the places of their first words, from 0."""
+
+LAWS = ("lateral", "vertical", "power", "link")
+
+
+def columns_of(words) -> dict[str, int]:
+    """A row as that of a record: the columns of the aircraft's own."""
+    tick = words[2] << 16 | words[3]
+    frame = tick * TICK_US // TABLES["frame_us"]
+    found = {"frame": frame, "time_ms": round((frame + 1) * FRAME_MS)}
+    for group, first in GROUPS:
+        for place, name in enumerate(_names(group)):
+            found[name] = words[first + place]
+    for place, name in enumerate(LAWS):
+        found[f"laws.{name}"] = words[60] >> 4 * place & 15
+    for place, name in enumerate(("invalid_low", "invalid_high", "silent",
+                                  "failed", "configuration")):
+        found[f"laws.{name}"] = words[61 + place]
+    found |= {
+        "recorder.row": number_of(words), "recorder.tick": tick,
+        "recorder.card": words[66] >> 4 & 15,
+        "recorder.card_state": words[66], "recorder.errors": words[67],
+        "recorder.last_error": words[68], "recorder.warm_starts": words[69]}
+    return found
+
+
+class Record:
+    """A recording with the parts of a record that its readers need."""
+
+    size = None
+    position = 0
+
+    def __init__(self, recording):
+        import numpy
+        from urv import records
+
+        rows = [list(columns_of(words).values()) for words in recording.rows]
+        names = list(columns_of((0,) * WORDS))
+        self.cut_short = recording.cut_short
+        self.columns = records.Columns(names, [0] * len(names))
+        self.table = numpy.array(rows, numpy.float64).reshape(
+            len(rows), len(names))
+
+    @property
+    def names(self):
+        return self.columns.names
+
+    @property
+    def decimals(self):
+        return self.columns.decimals
+
+    def blocks(self):
+        from urv import records
+
+        for first in range(0, len(self.table), records.ROWS_PER_BLOCK):
+            yield self.table[first:first + records.ROWS_PER_BLOCK]
+
+
+@contextmanager
+def opened(path, forgiving=False):
+    """A recording as a record."""
+    recording = Recording(Path(path))
+    if recording.cut_short and not forgiving:
+        raise faults.Refused(f"{faults.quoted(path)}: {recording.cut_short}")
+    yield Record(recording)

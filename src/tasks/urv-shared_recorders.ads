@@ -1,0 +1,41 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+--  The flight recorder's memory (FTI-9): the ring of rows, shared by the task
+--  that records and the one that sends. Each row is written and read whole.
+--  Only a cold start clears it.
+
+with URV.Recorder_Rings; use URV.Recorder_Rings;
+with URV.Recorder_Rows;  use URV.Recorder_Rows;
+with URV.Recorder_Steps; use URV.Recorder_Steps;
+
+package URV.Shared_Recorders with SPARK_Mode is
+
+   type Row_Array is array (Row_Place) of Row;
+
+   protected type Recorder is
+
+      --  Before the node is switched on. The ring is cleared.
+      procedure Set_Length (Length : Ring_Length);
+
+      procedure Clear;
+
+      --  A frame is over: records its words unless the recorder has stopped.
+      procedure Take (Words : Frame_Words);
+
+      --  Rows are fetched: the recorder stops until the aircraft flies.
+      procedure Stop;
+
+      function Contents return Ring;
+
+      function State return Watch;
+
+      --  The row of that number, if it is held; else No_Row.
+      function Row_At (Number : Row_Number) return Row;
+
+   private
+      Rows  : Row_Array;
+      Kept  : Ring;
+      Phase : Watch;
+   end Recorder;
+
+end URV.Shared_Recorders;
