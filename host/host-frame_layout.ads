@@ -9,10 +9,11 @@ with URV.CORE_Memory; use URV.CORE_Memory;
 
 package Host.Frame_Layout is
 
-   --  Version 2 is version 1 followed by the other rows of the logs.
-   type Version_Number is range 1 .. 2;
+   --  Version 2 is version 1 followed by the other rows of the logs, version 3
+   --  is version 2 followed by the frame of the downlink (FTI-12).
+   type Version_Number is range 1 .. 3;
 
-   --  The rows of each log that both versions have, and those of version 2.
+   --  The rows of each log that all versions have, and those of version 2.
    Rows_Of_First : constant := 32;
    subtype First_Row is Log_Row_Number range 1 .. Rows_Of_First;
    subtype Added_Row is
@@ -43,12 +44,18 @@ package Host.Frame_Layout is
      + 2 * (Status_Item'Pos (Status_Item'Last) + 1)
      + 2;
 
-   Longest : constant :=
+   Second_Length : constant :=
      First_Length
      + 2 * (Log_Row_Number'Pos (Log_Row_Number'Last) - Rows_Of_First)
        * Row_Length;
 
+   Longest : constant :=
+     Second_Length + 2 * (Frame_Item'Pos (Frame_Item'Last) + 1);
+
    function Length (Version : Version_Number) return Positive is
-     (if Version = 1 then First_Length else Longest);
+     (case Version is
+         when 1 => First_Length,
+         when 2 => Second_Length,
+         when 3 => Longest);
 
 end Host.Frame_Layout;

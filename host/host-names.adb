@@ -27,6 +27,13 @@ package body Host.Names is
    function Name (Item : PWM_Item) return String is
      (To_Lower (Item'Image));
 
+   function Name (Item : Frame_Item) return String is
+     (case Item is
+         when Frame_Number => "number",
+         when Running_Card => "card",
+         when Card_Phase   => "phase",
+         when Shown_Servo  => To_Lower (Item'Image));
+
    function Name (Item : Link_Item) return String is
      (To_Lower (Item'Image));
 

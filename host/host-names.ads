@@ -14,6 +14,9 @@ package Host.Names is
    function Name (Item : Uplink_Item) return String;
    function Name (Item : Downlink_Item) return String;
    function Name (Item : PWM_Item) return String;
+
+   --  In files "number", "card", "phase", and the servos (FTI-12).
+   function Name (Item : Frame_Item) return String;
    function Name (Item : Link_Item) return String;
    function Name (Kind : Error_Kind) return String;
    function Name (Item : Status_Item) return String;

@@ -90,8 +90,8 @@ package body Host.Option_Help is
             "the sticks from a console's packets; HOST is this machine's"
             & " loopback",
          when Packets_Option =>
-            "version of the published packets, 1 or 2, which has the whole"
-            & " logs (1)",
+            "version of the published packets, 1 to 3: 2 has the whole logs,"
+            & " 3 also the downlink's frame (1)",
          when Publish_Option =>
             "sends CORE's contents there each frame; up to"
             & Integer'Image (Most_Places) & " times",

@@ -109,6 +109,13 @@ package body Host.Option_Values is
       return (if Value = "1" then 1 else 2);
    end Number_Of;
 
+   function Version_Of (Title : String; Value : String) return One_To_Three is
+   begin
+      Refuse_Unless
+        (Value in "1" | "2" | "3", Title, Value, "neither 1, 2 nor 3");
+      return (if Value = "1" then 1 elsif Value = "2" then 2 else 3);
+   end Version_Of;
+
    function Processor_Range return String is
      ("1 to" & URVOS.Task_Trees.Processor_Number'Last'Image);
 

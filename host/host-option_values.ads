@@ -44,6 +44,10 @@ package Host.Option_Values is
 
    function Number_Of (Title : String; Value : String) return One_Or_Two;
 
+   subtype One_To_Three is Positive range 1 .. 3;
+
+   function Version_Of (Title : String; Value : String) return One_To_Three;
+
    --  The processors of a node: "1 to 4".
    function Processor_Range return String;
 

@@ -128,7 +128,7 @@ package body Host.Options is
             Chosen.Format :=
               URV.Handshakes.Format_Number (Number_Of (Title, Value));
          when Packets_Option =>
-            Chosen.Packets := Number_Of (Title, Value);
+            Chosen.Packets := Version_Of (Title, Value);
          when Publish_Option =>
             Add_Place (Chosen, To_Unbounded_String (Value));
          when Pace_Option =>

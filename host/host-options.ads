@@ -107,7 +107,7 @@ package Host.Options is
       Format     : URV.Handshakes.Format_Number := 1;
 
       --  The version of the published packets.
-      Packets    : One_Or_Two := 1;
+      Packets    : One_To_Three := 1;
 
       Pace       : Pace_Kind := Max;
 

@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Theorems.Spare_Bits;
 with Theorems.Type_Codes;
 
 package body Theorems.Data_Path with SPARK_Mode is
@@ -14,12 +15,19 @@ package body Theorems.Data_Path with SPARK_Mode is
       Commands_Arrive (Image);
    end Commands_Reach_The_Servos;
 
-   procedure Sensors_Reach_CORE (Image : AD_Image; Before : Downlink_Buffer)
+   procedure Sensors_Reach_CORE
+     (Image : AD_Image; Frame : Frame_Words; Before : Downlink_Buffer)
    is
+      Sent : constant Downlink_Buffer :=
+        URV.Spare_Bits.Packed (To_Downlink (Image), Frame);
    begin
-      Downlink.Round_Trip (To_Downlink (Image));
+      Downlink.Round_Trip (Sent);
+      Theorems.Spare_Bits.What_Is_Packed_Comes
+        (To_Downlink (Image), Frame);
+      Theorems.Spare_Bits.Equal_Words_Have_Equal_Frames
+        (Downlink.Decode (Downlink.Encode (Sent)), Sent);
       Theorems.Type_Codes.Into_CORE_By_Code
-        (Before, Received_Sensors (Image));
+        (Before, URV.Spare_Bits.Sensors_In (Sent));
    end Sensors_Reach_CORE;
 
 end Theorems.Data_Path;

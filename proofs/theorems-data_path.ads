@@ -2,9 +2,9 @@
 
 --  Words arrive unchanged from end to end: each stick word reaches the servo
 --  of figure 13, and each sensor word the ground's CORE memory (BUF-1, BUF-2,
---  PWM-2, D-2). This holds for every word of a converter, through routing,
---  codec, transform and layout. It assumes that the block itself arrives
---  intact, with the laws off and no failed surface.
+--  PWM-2, D-2, FTI-12). This holds for every word of a converter, through
+--  routing, codec, transform and layout. It assumes that the block itself
+--  arrives intact, with the laws off and no failed surface.
 
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
@@ -13,6 +13,7 @@ with URV.CORE_Layout;   use URV.CORE_Layout;
 with URV.PWM_Layout;    use URV.PWM_Layout;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Routing;       use URV.Routing;
+with URV.Spare_Bits;
 
 package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
 
@@ -20,9 +21,15 @@ package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
    function Received_Commands (Image : AD_Image) return Uplink_Buffer is
      (Uplink.Decode (Uplink.Encode (To_Uplink (Image))));
 
-   --  The ground's decoded sensors from an image of the aircraft's converter.
-   function Received_Sensors (Image : AD_Image) return Downlink_Buffer is
-     (Downlink.Decode (Downlink.Encode (To_Downlink (Image))));
+   --  The ground's decoded downlink from an image of the aircraft's converter
+   --  with any frame in its spare bits (FTI-12).
+   function Received_Downlink (Image : AD_Image; Frame : Frame_Words)
+                               return Framed_Downlink
+   is
+     (URV.Spare_Bits.Unpacked
+        (Downlink.Decode
+           (Downlink.Encode
+              (URV.Spare_Bits.Packed (To_Downlink (Image), Frame)))));
 
    --  Every stick word of the ground's converter reaches the aircraft.
    procedure Commands_Arrive (Image : AD_Image)
@@ -61,18 +68,30 @@ package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
                   Packed_Switches (Received_Commands (Image))));
 
    --  Every sensor word of the aircraft's converter reaches the ground's CORE
-   --  memory unchanged.
-   procedure Sensors_Reach_CORE (Image : AD_Image; Before : Downlink_Buffer)
+   --  memory, limited to 12 bits, whatever the spare bits carry. The frame
+   --  arrives unchanged.
+   procedure Sensors_Reach_CORE
+     (Image : AD_Image; Frame : Frame_Words; Before : Downlink_Buffer)
    with
      Global => null,
      Post   =>
        (for all Item in Sensor_Item =>
-          Stored (Downlink_Type_Codes, Before, Received_Sensors (Image))
+          Stored
+            (Downlink_Type_Codes, Before,
+             Received_Downlink (Image, Frame).Words)
             (Item) =
-            Image.Words (Channel_Of (Item)))
+            URV.Spare_Bits.Clipped (Image.Words (Channel_Of (Item))))
        and then
-         Stored (Downlink_Type_Codes, Before, Received_Sensors (Image))
+         Stored
+           (Downlink_Type_Codes, Before,
+            Received_Downlink (Image, Frame).Words)
            (Error_Status) =
-           Image.Error_Status;
+           Image.Error_Status
+       and then
+         (if URV.Spare_Bits.Is_Sendable (Frame)
+          then
+            (for all Item in Frame_Item =>
+               Received_Downlink (Image, Frame).Frame (Item) =
+                 Frame (Item)));
 
 end Theorems.Data_Path;

@@ -44,12 +44,12 @@ package body Theorems.Seals with SPARK_Mode is
       pragma Assert (Before = After);
    end Tag_Leaves_The_Rest;
 
-   --  Four bytes hold a number.
+   --  Three bytes hold a number.
    procedure Bytes_Determine (Number : Counter; Block : Block_Data)
    with
      Global => null,
      Pre    =>
-       Block (Before_Counter + 1) = Byte_Of (Number, 1)
+       Number <= Last_Age
        and then Block (Before_Counter + 2) = Byte_Of (Number, 2)
        and then Block (Before_Counter + 3) = Byte_Of (Number, 3)
        and then Block (Before_Counter + 4) = Byte_Of (Number, 4),
@@ -58,21 +58,16 @@ package body Theorems.Seals with SPARK_Mode is
    procedure Bytes_Determine (Number : Counter; Block : Block_Data) is
       Upper   : constant Counter := Number / 2 ** 8;
       Highest : constant Counter := Upper / 2 ** 8;
-      First   : constant Counter := Highest / 2 ** 8;
    begin
       pragma Assert (Highest = Number / 2 ** 16);
-      pragma Assert (First = Number / 2 ** 24);
-      pragma Assert (First <= 127);
-      pragma Assert (Counter (Block (Before_Counter + 1)) = First);
-      pragma Assert
-        (Counter (Block (Before_Counter + 2)) = Highest mod 2 ** 8);
+      pragma Assert (Highest <= 255);
+      pragma Assert (Counter (Block (Before_Counter + 2)) = Highest);
       pragma Assert
         (Counter (Block (Before_Counter + 3)) = Upper mod 2 ** 8);
       pragma Assert
         (Counter (Block (Before_Counter + 4)) = Number mod 2 ** 8);
       pragma Assert (Number = 2 ** 8 * Upper + Number mod 2 ** 8);
       pragma Assert (Upper = 2 ** 8 * Highest + Upper mod 2 ** 8);
-      pragma Assert (Highest = 2 ** 8 * First + Highest mod 2 ** 8);
    end Bytes_Determine;
 
    procedure Words_Come_Through
@@ -104,9 +99,10 @@ package body Theorems.Seals with SPARK_Mode is
    with
      Global => null,
      Pre    =>
-       Block (Before_Counter) = Byte (Code_Of (Echo))
+       Number <= Last_Age
+       and then Block (Before_Counter) = Byte (Code_Of (Echo))
        and then
-         (for all Where in Byte_Index range 1 .. 4 =>
+         (for all Where in Byte_Index range 2 .. 4 =>
             Block (Before_Counter + Where) = Byte_Of (Number, Where))
        and then Echo <= Theirs.Age
        and then (Echo = 0 or else Theirs.Age - Echo < Echo_Modulus),

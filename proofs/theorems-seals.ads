@@ -21,22 +21,45 @@ with URV.Handshakes;  use URV.Handshakes;
 with URV.Seals;       use URV.Seals;
 with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
+with URV.Spare_Bits;
 
 package Theorems.Seals with SPARK_Mode, Ghost is
 
-   --  A received word of a block: limited to 12 bits (D-11); in the last word,
-   --  an uplink has the flags and a downlink all bits (D-15).
+   --  A received word of a block: a command limited to 12 bits (D-11), a
+   --  sensor's word without spare bits; in the last word, an uplink has the
+   --  flags and a downlink all bits (D-15).
    function Carried
      (Data   : Block_Data;
       Sender : Station;
       Which  : Word_Place) return Word
    is
-     (if Which < Words_Of (Sender) then Clipped (Word_At (Data, Which))
+     (if Which < Words_Of (Sender) and then Sender = Ground
+      then Clipped (Word_At (Data, Which))
+      elsif Which < Words_Of (Sender)
+      then URV.Spare_Bits.Without_Spare (Word_At (Data, Which))
       elsif Sender = Ground then Word_At (Data, Which) mod 16
       else Word_At (Data, Which))
    with
      Global => null,
      Pre    => Which <= Words_Of (Sender);
+
+   --  The spare bits of a received sensor's word (FTI-12): a mark, the number
+   --  of the block, and the sent card and phase.
+   function Spare_Carried
+     (Data   : Block_Data;
+      Number : Counter;
+      Which  : Word_Place) return URV.Spare_Bits.Nibble
+   is
+     (if Which = 1 then URV.Spare_Bits.No_Servos_Mark
+      elsif Which = First_Number_Place
+      then Word (Number / 2 ** 8 mod 2 ** 4)
+      elsif Which = Second_Number_Place
+      then Word (Number / 2 ** 4 mod 2 ** 4)
+      elsif Which = Third_Number_Place then Word (Number mod 2 ** 4)
+      elsif Which in Card_Place | Phase_Place
+      then URV.Spare_Bits.Spare_Of (Word_At (Data, Which))
+      else 0)
+   with Global => null;
 
    procedure Words_Come_Through
      (Data   : Block_Data;
@@ -52,7 +75,11 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        Word_At
          (Unpacked (Sealed (Data, Sender, Number, Echo, Inside), Sender),
           Which) =
-       Carried (Data, Sender, Which);
+         (if Sender = Ground or else Which = Words_Of (Sender)
+          then Carried (Data, Sender, Which)
+          else Carried (Data, Sender, Which)
+            or Spare_Carried (Data, Number, Which)
+               * URV.Spare_Bits.Spare_Unit);
 
    --  A block opens for a node with its session if it is newer than all blocks
    --  taken, came in time, and has a number and echo among the latest that the

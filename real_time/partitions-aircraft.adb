@@ -133,11 +133,12 @@ package body Partitions.Aircraft is
    end Append_Values;
 
    function Last_Names return String is
-     (if MCS.Law_Settings.Contents.On
-      then ",laws.lateral,laws.vertical,laws.power,laws.link"
+     ((if MCS.Law_Settings.Contents.On
+       then ",laws.lateral,laws.vertical,laws.power,laws.link"
         & ",laws.invalid_low,laws.invalid_high,laws.silent,laws.failed"
         & ",laws.configuration"
-      else "");
+       else "")
+      & Frame_Names ("mcs.frame"));
 
    procedure Append_Laws (To : in out Row) is
       use URV.Law_Status;
@@ -159,6 +160,7 @@ package body Partitions.Aircraft is
          end loop;
          Append (To, Number (Status (Configuration)));
       end if;
+      Append_Frame (To, MCS.CORE_Memory.Contents.Frame);
    end Append_Laws;
 
    function Next_Message (Now : String) return String is

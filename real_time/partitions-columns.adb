@@ -37,6 +37,7 @@ package body Partitions.Columns is
    package Uplink   is new Groups (Uplink_Item, Uplink_Buffer);
    package PWM      is new Groups (PWM_Item, PWM_Buffer);
    package Downlink is new Groups (Downlink_Item, Downlink_Buffer);
+   package Frame    is new Groups (Frame_Item, Frame_Words);
 
    function Console_Names (Group : String) return String
      renames Console.Names;
@@ -46,6 +47,8 @@ package body Partitions.Columns is
      renames PWM.Names;
    function Downlink_Names (Group : String) return String
      renames Downlink.Names;
+   function Frame_Names (Group : String) return String
+     renames Frame.Names;
 
    procedure Append_Console (To : in out Row; Words : Console_Words)
      renames Console.Append_All;
@@ -55,6 +58,8 @@ package body Partitions.Columns is
      renames PWM.Append_All;
    procedure Append_Downlink (To : in out Row; Words : Downlink_Buffer)
      renames Downlink.Append_All;
+   procedure Append_Frame (To : in out Row; Words : Frame_Words)
+     renames Frame.Append_All;
 
    procedure Append_Counts (To : in out Row; Counts : Link_Counts) is
    begin

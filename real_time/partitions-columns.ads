@@ -14,11 +14,13 @@ package Partitions.Columns is
    function Uplink_Names (Group : String) return String;
    function PWM_Names (Group : String) return String;
    function Downlink_Names (Group : String) return String;
+   function Frame_Names (Group : String) return String;
 
    procedure Append_Console (To : in out Row; Words : Console_Words);
    procedure Append_Uplink (To : in out Row; Words : Uplink_Buffer);
    procedure Append_PWM (To : in out Row; Words : PWM_Buffer);
    procedure Append_Downlink (To : in out Row; Words : Downlink_Buffer);
+   procedure Append_Frame (To : in out Row; Words : Frame_Words);
 
    type Link_Counts is array (1 .. 5) of URVOS.Count;
 

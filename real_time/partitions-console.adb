@@ -221,18 +221,20 @@ package body Partitions.Console is
 
    function Law_Names return String is
      (",laws.told,laws.told_invalid_low,laws.told_invalid_high"
-      & ",laws.told_silent,laws.told_failed,laws.told_configuration");
+      & ",laws.told_silent,laws.told_failed,laws.told_configuration"
+      & Frame_Names ("gsc.frame"));
 
    procedure Append_Laws (To : in out Row) is
       use URV.Law_Status;
 
-      Status : constant Report :=
-        From_Row (GSC.CORE_Memory.Contents.Aircraft_Log (Row_Number));
+      CORE   : constant URV.CORE_Memory.Memory := GSC.CORE_Memory.Contents;
+      Status : constant Report := From_Row (CORE.Aircraft_Log (Row_Number));
    begin
       for Item in Active .. Failed loop
          Append (To, Number (Status (Item)));
       end loop;
       Append (To, Number (Status (Configuration)));
+      Append_Frame (To, CORE.Frame);
    end Append_Laws;
 
    function Recorded return Sticks is (In_Row);

@@ -54,6 +54,11 @@ package body Partitions.Frame_Packets is
          Put (Item.Log, Added_Row'First, Added_Row'Last);
          Put (Item.Aircraft_Log, Added_Row'First, Added_Row'Last);
       end if;
+      if Version > 2 then
+         for Word of Item.Downlink_Frame loop
+            Put (Number (Word), 2);
+         end loop;
+      end if;
       return Result;
    end To_Packet;
 

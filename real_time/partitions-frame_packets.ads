@@ -5,11 +5,12 @@
 
 with Host.Frame_Layout; use Host.Frame_Layout;
 with Partitions.Octets; use Partitions.Octets;
+with URV.Buffers;       use URV.Buffers;
 with URV.CORE_Memory;   use URV.CORE_Memory;
 
 package Partitions.Frame_Packets is
 
-   --  Large enough for either version.
+   --  Large enough for each version.
    subtype Packet is Octet_Array (1 .. Longest);
 
    --  The age of a downlink before the first one.
@@ -34,6 +35,7 @@ package Partitions.Frame_Packets is
       Aircraft_Log     : Log_Rows;
       Status           : Status_Words;
       Pilot            : Number;
+      Downlink_Frame   : Frame_Words;
    end record;
 
    --  The bytes after its length are 0.

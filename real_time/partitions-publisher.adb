@@ -196,7 +196,8 @@ package body Partitions.Publisher is
              Log              => CORE.Log,
              Aircraft_Log     => CORE.Aircraft_Log,
              Status           => CORE.Status,
-             Pilot            => Console.Pilot_State'Pos (Sticks.Pilot)),
+             Pilot            => Console.Pilot_State'Pos (Sticks.Pilot),
+             Downlink_Frame   => CORE.Frame),
             Version_Chosen),
          Is_Taken);
       if not Is_Taken then

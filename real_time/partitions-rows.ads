@@ -12,7 +12,7 @@ package Partitions.Rows is
 
    subtype Number is Host.Text_Numbers.Number;
 
-   Most_Columns : constant := 80;
+   Most_Columns : constant := 100;
    type Column is range 0 .. Most_Columns;
    type Values is array (Column range 1 .. Most_Columns) of Number;
 

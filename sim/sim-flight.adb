@@ -399,6 +399,8 @@ package body Sim.Flight is
              MCS_Downlink => Nodes.CORE (Aircraft).Downlink,
              GSC_Downlink => Nodes.CORE (Ground).Downlink,
              Link         => Engine.Link,
+             MCS_Frame    => Nodes.CORE (Aircraft).Frame,
+             GSC_Frame    => Nodes.CORE (Ground).Frame,
              Has_Truth    => Chosen.Plant = JSBSim_Plant,
              Truth        => Shown,
              Has_Laws     => Chosen.Laws,

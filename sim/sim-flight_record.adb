@@ -50,6 +50,8 @@ package body Sim.Flight_Record is
      (PWM_Item, Word, PWM_Buffer);
    package Downlink_Columns is new Columns
      (Downlink_Item, Word, Downlink_Buffer);
+   package Frame_Columns is new Columns
+     (Frame_Item, Word, Frame_Words);
    package Link_Columns is new Columns
      (Link_Item, Count, Link_Counts);
 
@@ -154,6 +156,8 @@ package body Sim.Flight_Record is
             Card_Columns.Put_Names (To, "laws.told_card");
          end if;
       end if;
+      Frame_Columns.Put_Names (To, "mcs.frame");
+      Frame_Columns.Put_Names (To, "gsc.frame");
       New_Line (To);
    end Write_Header;
 
@@ -195,6 +199,8 @@ package body Sim.Flight_Record is
               (To, Parts (This.Cards_Told (Part_Item)));
          end if;
       end if;
+      Frame_Columns.Put_Values (To, This.MCS_Frame);
+      Frame_Columns.Put_Values (To, This.GSC_Frame);
       New_Line (To);
    end Write_Row;
 

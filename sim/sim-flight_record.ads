@@ -25,6 +25,8 @@ package Sim.Flight_Record is
       MCS_Downlink : Downlink_Buffer;
       GSC_Downlink : Downlink_Buffer;
       Link         : Link_Counts;
+      MCS_Frame    : Frame_Words;
+      GSC_Frame    : Frame_Words;
 
       --  With an aircraft, its true state.
       Has_Truth    : Boolean;

@@ -69,6 +69,7 @@ package body Sim.Tables is
       procedure Put_Vertical is new Put_List (Vertical_Mode, Label);
       procedure Put_Power is new Put_List (Power_Mode, Label);
       procedure Put_Link is new Put_List (Link_State, Label);
+      procedure Put_Frame is new Put_List (Frame_Item, Host.Names.Name);
 
    begin
       Put ("frame_us", Frame_Length);
@@ -90,6 +91,10 @@ package body Sim.Tables is
       Put ("log_rows_of_version_1", Rows_Of_First);
       Put ("length_of_version_1", Length (1));
       Put ("length_of_version_2", Length (2));
+      Put ("length_of_version_3", Length (3));
+      Put_Frame ("frame_words");
+      Put ("frame_numbers", Frame_Numbers);
+      Put ("unknown_word", Natural (Unknown_Word));
       Text_Output.New_Line (To);
       Text_Output.Put_Line (To, "}");
    end Print;

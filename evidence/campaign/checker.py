@@ -156,7 +156,7 @@ class Flight:
             self.wire_errors += [
                 f"{way}: {what}" for what in (
                     sealed_blocks.wrongs(blocks, way) if message_format == 2
-                    else sealed_blocks.marked(blocks))]
+                    else sealed_blocks.marked(blocks, way))]
 
     def _check_counts(self):
         """The boards' counts against what was on the wire."""

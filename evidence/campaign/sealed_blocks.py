@@ -8,7 +8,11 @@ from cases import FRAME_US, NUMBERS
 SEALED, HELLO = 0xA, 0xB
 
 # An uplink has these low bits of its number, which is a frame's.
-TOLD = {"up": 1 << 6, "down": 1 << 32}
+TOLD = {"up": 1 << 6, "down": 1 << 24}
+
+# The high half of the first byte in format 1: no bits of the first command; the
+# mark of a frame, or none after a failed self-test.
+MARKS = {"up": (0,), "down": (0, 5)}
 
 # A good status of the node that received.
 ANSWERED_BY = {"up": ("down", (0x2D, 0xD2)), "down": ("up", (0xD2,))}
@@ -17,13 +21,13 @@ ANSWERED_BY = {"up": ("down", (0x2D, 0xD2)), "down": ("up", (0xD2,))}
 def number_of(block, way):
     if way == "up":
         return (block[20] & 15) << 2 | block[21] >> 6
-    return int.from_bytes(block[44:48], "big")
+    return int.from_bytes(block[45:48], "big")
 
 
-def marked(blocks):
-    """Blocks of format 1, which has 12 bits in a word."""
+def marked(blocks, way):
+    """Blocks that are not of format 1."""
     for block in blocks:
-        if block[0] > 0xF:
+        if block[0] >> 4 not in MARKS[way]:
             yield f"a block of format 1 begins with {block[0]:02x}"
             return
 

@@ -117,7 +117,7 @@ class Deck:
 
     def look(self, frame: packets.FramePacket | None, now: float) -> None:
         """Takes the aircraft's report."""
-        if frame is None or frame.version != packets.WHOLE:
+        if frame is None or frame.version < packets.WHOLE:
             return
         row = _row(frame, packets.CARDS_ROW - 1)
         if row != packets.LogRow():

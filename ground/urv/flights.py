@@ -40,6 +40,21 @@ CLOSE_S = 2.0
 
 FEET_PER_NAUTICAL_MILE = 6076.12
 
+CHANNEL_S = 16e-6
+"""Between the samples of two successive words of a scan (docs/link.md)."""
+
+FIRST_SAMPLE_S = {"report": 0.0, "fast": 0.003024}
+"""By schedule: the sample of the first word, after the beginning of the frame
+of its scan."""
+
+SERVOS_WRITTEN_S = {"report": 0.004, "fast": -0.012}
+"""By schedule: when the servos got the words that a downlink carries, after
+the beginning of the frame of its scan."""
+
+CLOCKS_FRAMES = 3
+CLOCKS_DRIFT = 1.0 / 2400.0
+"""Two nodes count the same frames within this and this share."""
+
 
 @dataclass(frozen=True)
 class Span:
@@ -203,6 +218,61 @@ class Flight:
             if column in self.columns:
                 has_none &= self.columns[column] == 0
         return (error & items.STALE != 0) | has_none
+
+    @cached_property
+    def aircraft_frames(self):
+        """The exact number of the aircraft's frame of each row's words of the
+        downlink, counted on from the first one (FTI-12): NaN while they are
+        stale, or without the column. None without any number.
+
+        Numbers are modulo 4096: the rows' times give the multiples. A number
+        that contradicts them begins a new count, that of an aircraft that has
+        started, whose first frame has its row's distance from the last one."""
+        column = f"{self.frame_group}.number"
+        if self.downlink is None or column not in self.columns:
+            return None
+        words = self.columns[column]
+        rows = numpy.flatnonzero(
+            ~self.is_stale & (words != packets.UNKNOWN_WORD))
+        if not len(rows):
+            return None
+        counted = numpy.rint(
+            numpy.diff(self.seconds[rows]) / packets.FRAME_S)
+        steps = numpy.diff(words[rows]) % packets.FRAME_NUMBERS
+        steps += packets.FRAME_NUMBERS * numpy.maximum(numpy.rint(
+            (counted - steps) / packets.FRAME_NUMBERS), 0)
+        is_new = abs(steps - counted) > (
+            CLOCKS_FRAMES + CLOCKS_DRIFT * abs(counted))
+        steps[is_new] = numpy.maximum(counted[is_new], 1)
+        found = numpy.full(self.rows, numpy.nan)
+        found[rows] = words[rows[0]] + numpy.r_[0, numpy.cumsum(steps)]
+        return found
+
+    @property
+    def frame_group(self):
+        """The group with the frame of the downlink's words."""
+        return self.downlink and self.downlink.replace("downlink", "frame")
+
+    @cached_property
+    def lost_frames(self):
+        """The aircraft's frames between the first and the last row whose words
+        did not come; None when their numbers are not known."""
+        frames = self.aircraft_frames
+        if frames is None:
+            return None
+        known = frames[~numpy.isnan(frames)]
+        return int(known[-1] - known[0]) + 1 - len(numpy.unique(known))
+
+    def sample_times(self, column, schedule="report"):
+        """When each word of a column was sampled, in s of the aircraft's
+        frames: a sensor by the converter, to its channel; a servo's word of
+        the frame, since when it was at the servo. NaN in gaps, None when it is
+        not known."""
+        frames = self.aircraft_frames
+        after = sample_offset(column, schedule)
+        if frames is None or after is None:
+            return None
+        return packets.FRAME_S * frames + after
 
     def values(self, name):
         """A column in its unit, with NaN in gaps."""
@@ -418,6 +488,20 @@ class Flight:
         if "truth.heading_deg" in self.columns and self.rows:
             return self.columns["truth.heading_deg"][0]
         return 0.0
+
+
+def sample_offset(column, schedule="report"):
+    """The time of a word's sample after the beginning of the frame of its
+    scan, in s; None for a column without one."""
+    group, item = records.group_of(column)
+    if group.endswith(".downlink"):
+        names = [each.name for each in items.of_buffer("downlink")][:-1]
+        if item in names:
+            return FIRST_SAMPLE_S[schedule] + CHANNEL_S * names.index(item)
+    if (group.endswith(".frame") and item in packets.FRAME_WORDS
+            and item not in ("number", "card", "phase")):
+        return SERVOS_WRITTEN_S[schedule]
+    return None
 
 
 def summed(steps, start):

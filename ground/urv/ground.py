@@ -241,7 +241,7 @@ class Flight:
         self.await_station()
         if yamcs:
             self.await_line("yamcs_gate", "pages at")
-        publish = ["--packets", packets.WHOLE,
+        publish = ["--packets", packets.FRAMED,
                    "--publish", f"udp:{here}:{self.frames}"]
         if mavlink is not None:
             publish += ["--publish", self.start_mavlink(mavlink)]

@@ -26,6 +26,8 @@ VERSION = 1
 logs."""
 WHOLE = 2
 """The version of a frame packet with the whole logs."""
+FRAMED = 3
+"""The version that also has the frame of the downlink."""
 LATEST_US = 253_402_300_799_999_999
 """The largest time of a packet: the end of the year 9999."""
 NEVER = 0xFFFF_FFFF
@@ -37,6 +39,14 @@ COLUMNS = tuple(
 """The words of a frame packet, with their names and order in the record."""
 
 COMMANDS = tuple(item.name for item in items.of_group("console"))
+
+FRAME_WORDS = tuple(TABLES["frame_words"])
+"""The words of a downlink's frame: its number, the running card and its phase,
+and servo words (FTI-12)."""
+FRAME_NUMBERS = TABLES["frame_numbers"]
+"""The number of a frame is modulo this."""
+UNKNOWN_WORD = TABLES["unknown_word"]
+"""A word of the frame that has not come."""
 
 LINK_COUNTS = tuple(TABLES["link_counts"])
 STATUS = tuple(TABLES["status"])
@@ -64,12 +74,13 @@ LOGS_AT = WORDS_AT + _WORDS.size
 ROW_LENGTH = _ROW.size
 TAIL_AT = LOGS_AT + len(NODES) * FIRST_ROWS * ROW_LENGTH
 MORE_AT = TAIL_AT + _TAIL.size
-FRAME_LENGTH = (
-    MORE_AT + len(NODES) * (ROWS_PER_LOG - FIRST_ROWS) * ROW_LENGTH)
-LENGTHS = {VERSION: MORE_AT, WHOLE: FRAME_LENGTH}
+FRAME_AT = MORE_AT + len(NODES) * (ROWS_PER_LOG - FIRST_ROWS) * ROW_LENGTH
+_DOWNLINK_FRAME = struct.Struct(f">{len(FRAME_WORDS)}H")
+FRAME_LENGTH = FRAME_AT + _DOWNLINK_FRAME.size
+LENGTHS = {VERSION: MORE_AT, WHOLE: FRAME_AT, FRAMED: FRAME_LENGTH}
 """The length of a frame packet of each version."""
-if LENGTHS != {VERSION: TABLES["length_of_version_1"],
-               WHOLE: TABLES["length_of_version_2"]}:
+if LENGTHS != {version: TABLES[f"length_of_version_{version}"]
+               for version in LENGTHS}:
     raise AssertionError(f"packets have {LENGTHS} bytes here, others in the"
                          " nodes")
 
@@ -179,6 +190,14 @@ class FramePacket:
     status: tuple[int, ...]
     pilot: Pilot
     version: int = WHOLE
+    downlink_frame: tuple[int, ...] = (UNKNOWN_WORD,) * len(FRAME_WORDS)
+
+    @property
+    def frame_words(self) -> dict[str, int | None]:
+        """The words of the downlink's frame by name, None without one."""
+        return {name: None if word == UNKNOWN_WORD else word
+                for name, word in zip(FRAME_WORDS, self.downlink_frame,
+                                      strict=True)}
 
     @property
     def columns(self) -> dict[str, int]:
@@ -232,7 +251,8 @@ class FramePacket:
                 _WORDS.pack(*self.words),
                 *first,
                 _TAIL.pack(*self.status, self.pilot),
-                *more))[:length]
+                *more,
+                _DOWNLINK_FRAME.pack(*self.downlink_frame)))[:length]
         except struct.error as error:
             raise PacketError(f"frame packet: {error}") from error
 
@@ -246,7 +266,7 @@ class FramePacket:
             raise PacketError(
                 f"frame packet: time is {time_us}, not 0 to {LATEST_US}")
         # Rows that version 1 lacks are zero, as without an occurrence.
-        more = data[MORE_AT:].ljust(FRAME_LENGTH - MORE_AT, b"\0")
+        more = data[MORE_AT:FRAME_AT].ljust(FRAME_AT - MORE_AT, b"\0")
         *status, pilot = _TAIL.unpack_from(data, TAIL_AT)
         return cls(
             run=run,
@@ -261,7 +281,9 @@ class FramePacket:
             logs=tuple(map(add, _logs(data[LOGS_AT:TAIL_AT]), _logs(more))),
             status=tuple(status),
             pilot=_member(Pilot, pilot),
-            version=version)
+            version=version,
+            **({"downlink_frame": _DOWNLINK_FRAME.unpack_from(data, FRAME_AT)}
+               if version == FRAMED else {}))
 
 
 def _logs(data: bytes) -> list[tuple[LogRow, ...]]:

@@ -68,8 +68,10 @@ NUMBER = re.compile(r"-?[0-9]+(?:\.([0-9]+))?")
 
 
 def is_word(name):
-    """True if a column holds words of 16 bits: an item's, or the laws'."""
-    return name in items.COLUMNS or name.startswith("laws.")
+    """True if a column holds words of 16 bits: an item's, the laws', or of a
+    downlink's frame."""
+    return (name in items.COLUMNS
+            or name.startswith(("laws.", "mcs.frame.", "gsc.frame.")))
 
 
 class Columns:

@@ -256,6 +256,10 @@ def link(flight, summary, events=()):
             f"at most {number(LONGEST_SILENCE_S, 1, 's')}",
             WARNING if seconds > LONGEST_SILENCE_S
             else CAUTION if silence else WELL))
+    if flight.lost_frames is not None:
+        lines.append(Line(
+            "frames of the aircraft that did not come, by their numbers",
+            counted(flight.lost_frames, "frame"), "no limit"))
     lines += round_trip_lines(summary)
     lines += latency_lines(flight, summary)
     if not lines:

@@ -443,7 +443,7 @@ class View:
         self.laws = told
         if told is not None:
             self.laws_state = "on"
-        elif (frame.version == packets.WHOLE and frame.is_fresh
+        elif (frame.version >= packets.WHOLE and frame.is_fresh
               and self._fresh >= LAWS_SETTLE):
             self.laws_state = "off"
         if not frame.is_fresh or self._fresh < LAWS_SETTLE:

@@ -62,6 +62,10 @@ ERROR_BITS = (
 LOG_ROW = (("count", 32, "how often"), ("first_frame", 32, "of its node"),
            ("last_frame", 32, "of its node"),
            ("detail", 16, "of the last one"))
+FRAME_MEANINGS = {
+    "number": "of the aircraft's frame, modulo 4096",
+    "card": "the card that runs, 0: none",
+    "phase": "frame of the running card modulo 16, or why the last one ended"}
 WORD_BITS = 16
 
 # After a start the laws reject every sensor for a second, and the report of
@@ -149,6 +153,7 @@ class _Entries:
         yield from self.law_words()
         yield from self.card_words()
         yield self.refused()
+        yield from self.frame_words()
 
     def refused(self):
         """From the ground's log once more: the number of blocks it has
@@ -161,7 +166,20 @@ class _Entries:
                 alarm=self.pymdb.ThresholdAlarm(warning_high=0),
                 encoding=self.encoding(32)),
             bitpos=8 * packets.row_at("gsc", row),
-            condition=self.pymdb.eq(self.version, packets.WHOLE))
+            condition=self.pymdb.gte(self.version, packets.WHOLE))
+
+    def frame_words(self):
+        """The frame of the downlink (FTI-12)."""
+        pymdb = self.pymdb
+        system = self.subsystem("frame")
+        comes = pymdb.all_of(pymdb.gte(self.version, packets.FRAMED),
+                             pymdb.eq(self.age, 0))
+        for place, name in enumerate(packets.FRAME_WORDS):
+            yield self.whole_number(
+                system, name, WORD_BITS, FRAME_MEANINGS.get(
+                    name, "servo word of the aircraft")
+                + f", {packets.UNKNOWN_WORD}: unknown",
+                8 * packets.FRAME_AT + place * WORD_BITS, comes)
 
     def subsystem(self, path):
         """The subsystem of that dotted name, made when there is none."""
@@ -285,14 +303,14 @@ class _Entries:
                         encoding=self.encoding(bits))
                     for name, bits, description in LOG_ROW]),
                 bitpos=8 * packets.row_at(node, row),
-                condition=(self.pymdb.eq(self.version, packets.WHOLE)
+                condition=(self.pymdb.gte(self.version, packets.WHOLE)
                            if row > packets.FIRST_ROWS else None))
 
     def card_words(self):
         """The status of the aircraft's test cards (FTI-8): urv.deck."""
         pymdb = self.pymdb
         at = 8 * packets.row_at("mcs", packets.CARDS_ROW)
-        comes = pymdb.all_of(pymdb.eq(self.version, packets.WHOLE),
+        comes = pymdb.all_of(pymdb.gte(self.version, packets.WHOLE),
                              pymdb.eq(self.age, 0))
         system = self.subsystem("cards")
         # The first word's nibbles, from the highest.
@@ -319,7 +337,7 @@ class _Entries:
         """The status of the aircraft's control laws: urv.laws."""
         pymdb = self.pymdb
         at = 8 * packets.row_at("mcs", packets.LAWS_ROW)
-        comes = pymdb.all_of(pymdb.eq(self.version, packets.WHOLE),
+        comes = pymdb.all_of(pymdb.gte(self.version, packets.WHOLE),
                              pymdb.eq(self.age, 0))
         system = self.subsystem("laws")
         # The first word's nibbles, from the highest.

@@ -68,6 +68,34 @@ package URV.Buffers with Pure, SPARK_Mode is
 
    type Downlink_Buffer is array (Downlink_Item) of Word;
 
+   --  The frame of a downlink (FTI-12, D-98): the number of the aircraft's
+   --  frame of its scan, modulo 4096; the slot of the running test card, 0 for
+   --  none; its phase; seven servo words. The phase of a running card is its
+   --  frame modulo 16. Without one it is the reason of the last end, by its
+   --  place in URV.Test_Runs.Verdict.
+   type Frame_Item is
+     (Frame_Number, Running_Card, Card_Phase,
+      Left_Aileron, Right_Aileron, Left_Elevator, Right_Elevator,
+      Left_Rudder, Right_Rudder, Throttle);
+
+   subtype Shown_Servo is Frame_Item range Left_Aileron .. Throttle;
+
+   type Frame_Words is array (Frame_Item) of Word;
+
+   --  The number of frame numbers.
+   Frame_Numbers : constant := 4_096;
+
+   --  A word that a downlink does not carry.
+   Unknown_Word : constant Word := Word'Last;
+
+   Unknown_Frame : constant Frame_Words := (others => Unknown_Word);
+
+   --  A downlink with its frame, for CORE.
+   type Framed_Downlink is record
+      Words : Downlink_Buffer;
+      Frame : Frame_Words;
+   end record;
+
    --  The words for the pulse width modulation board (figure 13b): 13 servo
    --  commands and the eight discretes, with switch n in bit n - 1.
    type PWM_Item is
@@ -102,6 +130,10 @@ package URV.Buffers with Pure, SPARK_Mode is
 
    Neutral_Downlink : constant Downlink_Buffer :=
      (Error_Status => Stale_Data, others => Neutral_Value);
+
+   function Neutral_Framed_Downlink return Framed_Downlink is
+     (Words => Neutral_Downlink, Frame => Unknown_Frame)
+   with Global => null;
 
    --  The same, as the channels of each node's converter have them: the
    --  ground's carry the commands, the aircraft's the sensors.

@@ -73,6 +73,9 @@ package URV.CORE_Memory with Pure, SPARK_Mode is
       Uplink         : Uplink_Buffer      := (others => 0);
       Downlink_Codes : Downlink_Code_List := (others => 0);
       Downlink       : Downlink_Buffer    := (others => 0);
+
+      --  The frame of these words. Its place identifies a word.
+      Frame          : Frame_Words        := Unknown_Frame;
       Status_Codes   : Status_Words       := (others => 0);
       Status         : Status_Words       := (others => 0);
 

@@ -24,7 +24,8 @@ package URV.Errors with Pure, SPARK_Mode is
       No_Input,                --  nothing new in TELIN_variable
 
       --  A word beyond 12 bits (D-11). Detail: the place of the first such
-      --  word in the buffer, from 1.
+      --  word in the buffer, from 1; of the aircraft's own sensors its type
+      --  code.
       Input_Out_Of_Range,
 
       --  Detail: 0, or No_Image_For_Laws, below.

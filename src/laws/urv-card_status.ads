@@ -67,6 +67,17 @@ package URV.Card_Status with Pure, SPARK_Mode is
       + 256 * Word (This.Last_Run) + 4_096 * Verdict'Pos (This.Reason))
    with Global => null;
 
+   --  The running card in each downlink (FTI-12): its slot above four bits
+   --  with its phase, the frame modulo 16. Without a running card the slot is
+   --  0 and the four bits are the reason of the last end.
+   function Card_Word (This : Run) return Word is
+     (if This.Running > 0
+      then 16 * Word (This.Running) + (Word (This.Frame) and 15)
+      else Verdict'Pos (This.Reason))
+   with
+     Global => null,
+     Post   => Card_Word'Result <= 143;
+
    --  A word of a card by its place, from 0; 0 beyond the last one.
    function Word_At (Source : Card; Place : Natural) return Word is
      (if Place > Card_Item'Pos (Card_Item'Last) then 0

@@ -60,7 +60,7 @@ package GSC with SPARK_Mode is
    AD_Variable       : For_Stick_Images.Variable;
    TELIN_Variable    : For_Downlink.Variable;
    Uplink_Variable   : For_Uplink.Variable;
-   Downlink_Variable : For_Downlink.Variable;
+   Downlink_Variable : For_Framed_Downlink.Variable;
    TELOUT_Variable   : For_Uplink.Variable;
 
    --  The console's orders besides the sticks: the latest block of another

@@ -3,6 +3,7 @@
 with Telemetry;   use Telemetry;
 with URV.Allocation;
 with URV.Buffers; use URV.Buffers;
+with URV.Card_Status;
 with URV.Errors;  use URV.Errors;
 with URV.LAW_Steps;
 with URV.PWM_Layout;
@@ -45,7 +46,7 @@ package body MCS with SPARK_Mode is
                TELIN.Run_Transaction (Now, Is_New);
                Frame_Lock.Take (Is_New, Now);
             when MDCIN_Task     => MDCIN.Run_Transaction;
-            when MDCOUT_Task    => MDCOUT.Run_Transaction;
+            when MDCOUT_Task    => MDCOUT.Run_Transaction (Now);
             when LAW_Task       => LAW.Run_Transaction;
             when PWM_Task       => PWM.Run_Transaction;
             when TELOUT_Task    => TELOUT.Run_Transaction;
@@ -89,10 +90,12 @@ package body MCS with SPARK_Mode is
       Law_Memory.Write (URV.LAW_Steps.At_Start);
       Surface_Health.Write (URV.Allocation.All_Well);
       Test_Added.Write (URV.Test_Inputs.Nothing_Added);
+      Card_Shown.Write (0);
    end Reset_Variables;
 
    procedure Restart_Variables is
-      Kept : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
+      Kept : constant URV.LAW_Steps.Kept :=
+        URV.LAW_Steps.Restarted (Law_Memory.Contents);
    begin
       AD_Board.Initialise;
       Status.Write (No_Error);
@@ -109,7 +112,8 @@ package body MCS with SPARK_Mode is
       Recorder_Sender.Restart;
       Sensors_Variable.Restart;
       PWM_Variable.Restart;
-      Law_Memory.Write (URV.LAW_Steps.Restarted (Kept));
+      Law_Memory.Write (Kept);
+      Card_Shown.Write (URV.Card_Status.Card_Word (Kept.Cards.Run));
    end Restart_Variables;
 
    procedure Say_Refused is

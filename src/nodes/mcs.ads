@@ -35,6 +35,7 @@ with URV.PWM_Boards;
 with URV.PWM_Task;
 with URV.Recorder_Senders;
 with URV.Self_Test_Task;
+with URV.Shared_Cards;
 with URV.Shared_CORE_Memory;
 with URV.Shared_Inputs;
 with URV.Shared_Errors;
@@ -75,7 +76,7 @@ package MCS with SPARK_Mode is
    AD_Variable       : For_Sensor_Images.Variable;
    TELIN_Variable    : For_Uplink.Variable;
    Uplink_Variable   : For_Uplink.Variable;
-   Downlink_Variable : For_Downlink.Variable;
+   Downlink_Variable : For_Framed_Downlink.Variable;
    TELOUT_Variable   : For_Downlink.Variable;
    Commands_Variable : For_Uplink.Variable;
    Configuration_Variable : For_Uplink.Variable;
@@ -112,6 +113,9 @@ package MCS with SPARK_Mode is
    --  is switched on.
    Recorder : URV.Shared_Recorders.Recorder;
 
+   --  The running card, as the next downlink carries it (FTI-12).
+   Card_Shown : URV.Shared_Cards.Store;
+
    --  Tasks
 
    package ADINT is new URV.ADINT_Handler
@@ -137,12 +141,13 @@ package MCS with SPARK_Mode is
 
    package MDCOUT is new URV.MDCOUT_Task
      (AD_Variable, Downlink_Variable, Sensors_Variable, TELOUT_Variable,
-      Status, Errors, Sensor_Codes, Log_Sender.Next, Recorder_Sender.Next);
+      Status, Card_Shown, PWM_Board, Schedule, Errors, Sensor_Codes,
+      Log_Sender.Next, Recorder_Sender.Next);
 
    package LAW is new URV.LAW_Task
      (Commands_Variable, Sensors_Variable, PWM_Variable,
       Configuration_Variable, Law_Settings, Law_Memory, Surface_Health,
-      Test_Added, Errors);
+      Test_Added, Card_Shown, Errors);
 
    package PWM is new URV.PWM_Task
      (PWM_Variable, Surface_Health, Test_Added, PWM_Board, Errors);

@@ -40,13 +40,14 @@ package body URV.Seal_Blocks with SPARK_Mode is
 
       if Sender = Aircraft then
          Result (Before_Counter) := Byte (Code_Of (Echo));
-         for Where in Byte_Index range 1 .. 4 loop
+         Result (Before_Counter + 1) := Card_Of (Data);
+         for Where in Byte_Index range 2 .. 4 loop
             Result (Before_Counter + Where) := Byte_Of (Number, Where);
             pragma Loop_Invariant
-              (for all Before in Byte_Index range 1 .. Before_Counter =>
+              (for all Before in Byte_Index range 1 .. Before_Counter + 1 =>
                  Result (Before) = Result'Loop_Entry (Before));
             pragma Loop_Invariant
-              (for all Done in Before_Counter + 1 .. Before_Counter + Where =>
+              (for all Done in Before_Counter + 2 .. Before_Counter + Where =>
                  Result (Done) = Byte_Of (Number, Done - Before_Counter));
          end loop;
       end if;

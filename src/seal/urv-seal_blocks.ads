@@ -6,14 +6,19 @@
 --                  uplink        downlink
 --     mark         byte 1        byte 1        high half; low half: flags
 --     fields       bytes 2..22   bytes 2..43   of 12 bits, two in three bytes
---     number       last field    bytes 45..48  the four before the tag
---     echo         last field    byte 44       the byte before the number
+--     card         none          byte 45       the fourth before the tag
+--     number       last field    bytes 46..48  the three before the tag
+--     echo         last field    byte 44       the byte before the card
 --     tag          bytes 23..28  bytes 49..56  the last
 --
 --  The fields are the block's words except the last, the error/status word.
 --  Its four flags are in byte 1. The log's fragment above them is the last
---  field of a downlink (D-15). A word beyond 12 bits is sent as 0FFFh, the
+--  field of a downlink (D-15). A command beyond 12 bits is sent as 0FFFh, the
 --  value that would reach a servo (D-11).
+--
+--  A downlink's words lose their spare bits (URV.Spare_Bits). The card's byte
+--  has the running card and its phase. The receiver gets them, and the number
+--  as that of the frame, in the spare bits again (D-98).
 --
 --  The number is the session's frame in which the sender sealed the block. The
 --  echo is the number of the newest block that the sender had taken by then.
@@ -26,7 +31,9 @@
 with Interfaces;   use Interfaces;
 with Telemetry;    use Telemetry;
 with URVOS;        use URVOS;
+with URV.Buffers;  use URV.Buffers;
 with URV.Sip_Hash; use URV.Sip_Hash;
+with URV.Spare_Bits;
 
 package URV.Seal_Blocks with Pure, SPARK_Mode is
 
@@ -66,7 +73,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (if Sender = Ground then Uplink_Covered else Downlink_Covered)
    with Global => null;
 
-   --  The byte before a downlink's number. It holds the echo.
+   --  The byte before a downlink's card and number. It holds the echo.
    Before_Counter : constant := Downlink_Covered - 4;
 
    --  Each further word needs a byte and a half and may not fit
@@ -96,6 +103,27 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (Word'Min (Value, Field'Last))
    with Global => null;
 
+   --  The words of format 1 whose spare bits have a downlink's number, the
+   --  running card and its phase.
+
+   First_Number_Place  : constant Word_Place :=
+     Downlink_Item'Pos (Left_Flap_1) + 1;
+   Second_Number_Place : constant Word_Place :=
+     Downlink_Item'Pos (Right_Flap_2) + 1;
+   Third_Number_Place  : constant Word_Place :=
+     Downlink_Item'Pos (Left_Flap_2) + 1;
+
+   Card_Place  : constant Word_Place :=
+     Downlink_Item'Pos (Right_Aileron) + 1;
+   Phase_Place : constant Word_Place :=
+     Downlink_Item'Pos (Left_Aileron) + 1;
+
+   --  The running card and its phase in one byte.
+   function Card_Of (Data : Block_Data) return Byte is
+     (Byte (Spare_Bits.Spare_Of (Word_At (Data, Card_Place))) * 16
+      + Byte (Spare_Bits.Spare_Of (Word_At (Data, Phase_Place))))
+   with Global => null;
+
    --  The last field of an uplink: the number's remainder and the echo's code.
    --  The code is also a remainder, or No_Echo
 
@@ -116,7 +144,10 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
       Echo   : Counter;
       Which  : Word_Place) return Field
    is
-     (if Which < Words_Of (Sender) then Clipped (Word_At (Data, Which))
+     (if Which < Words_Of (Sender)
+      then
+        (if Sender = Ground then Clipped (Word_At (Data, Which))
+         else Spare_Bits.Without_Spare (Word_At (Data, Which)))
       elsif Sender = Ground
       then Word (Number mod Number_Modulus) * Number_Modulus + Code_Of (Echo)
       else Word_At (Data, Which) / 16)
@@ -144,13 +175,11 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      Global => null,
      Pre    => Where <= 4;
 
-   --  A downlink's number. A number that is too high belongs to no block.
+   --  A downlink's number.
    function Number_At (Block : Block_Data) return Counter is
-     (if Block (Before_Counter + 1) > 127 then 0
-      else Counter (Block (Before_Counter + 1)) * 2 ** 24
-           + Counter (Block (Before_Counter + 2)) * 2 ** 16
-           + Counter (Block (Before_Counter + 3)) * 2 ** 8
-           + Counter (Block (Before_Counter + 4)))
+     (Counter (Block (Before_Counter + 2)) * 2 ** 16
+      + Counter (Block (Before_Counter + 3)) * 2 ** 8
+      + Counter (Block (Before_Counter + 4)))
    with Global => null;
 
    --  The echo's code.
@@ -180,10 +209,29 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
        and then
          (if Sender = Aircraft
           then Packed'Result (Before_Counter) = Byte (Code_Of (Echo))
+            and then Packed'Result (Before_Counter + 1) = Card_Of (Data)
             and then
-            (for all Where in Byte_Index range 1 .. 4 =>
+            (for all Where in Byte_Index range 2 .. 4 =>
                Packed'Result (Before_Counter + Where) =
                  Byte_Of (Number, Where)));
+
+   --  The spare bits of a downlink's word in format 1.
+   function Spare_In_Format_2 (Block : Block_Data; Which : Word_Place)
+                               return Spare_Bits.Nibble
+   is
+     (if Which = 1 then Spare_Bits.No_Servos_Mark
+      elsif Which = First_Number_Place
+      then Word (Block (Before_Counter + 3) and 15)
+      elsif Which = Second_Number_Place
+      then Word (Block (Before_Counter + 4) / 16)
+      elsif Which = Third_Number_Place
+      then Word (Block (Before_Counter + 4) and 15)
+      elsif Which = Card_Place
+      then Word (Block (Before_Counter + 1) / 16)
+      elsif Which = Phase_Place
+      then Word (Block (Before_Counter + 1) and 15)
+      else 0)
+   with Global => null;
 
    --  A word of a block in format 2.
    function Word_In_Format_2
@@ -191,7 +239,11 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
       Sender : Station;
       Which  : Word_Place) return Word
    is
-     (if Which < Words_Of (Sender) then Field_At (Block, Which)
+     (if Which < Words_Of (Sender)
+      then
+        (if Sender = Ground then Field_At (Block, Which)
+         else Field_At (Block, Which)
+           or Spare_In_Format_2 (Block, Which) * Spare_Bits.Spare_Unit)
       elsif Sender = Ground then Word (Block (1) and 16#0F#)
       else Field_At (Block, Which) * 16 + Word (Block (1) and 16#0F#))
    with

@@ -93,8 +93,9 @@ package URV.Sessions with Pure, SPARK_Mode is
          (Derivation (For_Use, 1, Ground_Nonce, Aircraft_Nonce), From)))
    with Global => null;
 
-   --  A session ends at this age, after 4 months.
-   Last_Age : constant Counter := 2 ** 29;
+   --  A session ends at this age, after 93 hours. A downlink's number has
+   --  three bytes.
+   Last_Age : constant Counter := 2 ** 24 - 1;
 
    subtype Session_Age is Counter range 1 .. Last_Age;
 

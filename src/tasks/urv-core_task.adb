@@ -30,13 +30,14 @@ package body URV.CORE_Task with SPARK_Mode is
    end Take_Uplink;
 
    procedure Take_Downlink is
-      Item  : Downlink_Buffer;
+      Item  : Framed_Downlink;
       Fresh : Boolean;
       Area  : constant Coded_Downlink := CORE_Memory.Downlink_Area;
    begin
       Downlink_Variable.Receive (Item, Fresh);
       if Is_Written (Fresh) then
-         CORE_Memory.Write_Downlink (Words_After (Area, Item));
+         CORE_Memory.Write_Downlink
+           (Words_After (Area, Item.Words), Item.Frame);
          if Has_Unknown (Area.Codes) then
             Errors.Report (Unknown_Code, First_Unknown (Area.Codes));
             Codes_Wanted.Write (True);

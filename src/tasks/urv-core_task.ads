@@ -4,8 +4,9 @@
 --  3; COR-1). Released at minor frame 4.
 --
 --  Consumes uplink_variable and downlink_variable, produces the CORE uplink
---  and downlink areas. It writes only messages of this frame. It writes the
---  type codes when it first runs (INI-7).
+--  and downlink areas, the latter with the downlink's frame (FTI-12). It
+--  writes only messages of this frame. It writes the type codes when it first
+--  runs (INI-7).
 --
 --  Each word goes to the place of its type code in the area (EXT-2). A place
 --  with an unknown code is not written but reported; all codes are written
@@ -18,7 +19,7 @@ with URV.Shared_Errors;      use URV.Shared_Errors;
 
 generic
    Uplink_Variable   : in out For_Uplink.Variable;
-   Downlink_Variable : in out For_Downlink.Variable;
+   Downlink_Variable : in out For_Framed_Downlink.Variable;
    CORE_Memory       : in out Board;
    Errors            : in out Shared_Log;
 package URV.CORE_Task with SPARK_Mode is

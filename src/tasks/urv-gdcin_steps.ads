@@ -4,11 +4,13 @@
 --  TELIN_variable, which fragment of the aircraft's error log it carries, and
 --  what is reported (report, 5.5; GDI-1, D-11, D-14, EXT-2, SAF-7). The task
 --  receives, calls these functions, sends and reports. Each is an expression
---  function: its text is its contract.
+--  function: its text is its contract. Messages have their spare bits until
+--  For_CORE (FTI-12).
 
 with URV.Buffers;    use URV.Buffers;
 with URV.Log_Pieces; use URV.Log_Pieces;
 with URV.Routing;    use URV.Routing;
+with URV.Spare_Bits;
 with URV.Type_Codes; use URV.Type_Codes;
 
 package URV.GDCIN_Steps with Pure, SPARK_Mode is
@@ -25,10 +27,15 @@ package URV.GDCIN_Steps with Pure, SPARK_Mode is
       else As_Old (Item))
    with Global => null;
 
-   --  The message for CORE: without the log's fragment.
-   function For_CORE (Message : Downlink_Buffer) return Downlink_Buffer is
+   --  The message that the task keeps: without the log's fragment.
+   function To_Keep (Message : Downlink_Buffer) return Downlink_Buffer is
      ((Message with delta
          Error_Status => Without_Piece (Message (Error_Status))))
+   with Global => null;
+
+   --  The message for CORE: the sensors and their frame.
+   function For_CORE (Kept : Downlink_Buffer) return Framed_Downlink is
+     (Spare_Bits.Unpacked (Kept))
    with Global => null;
 
    --  A fragment of the log is taken once, in the frame of its arrival.
@@ -52,6 +59,11 @@ package URV.GDCIN_Steps with Pure, SPARK_Mode is
       and then Kind_Of (Item) in Recorder_Kind | Recorder_Report_Kind)
    with Global => null;
 
+   --  Such a block without the spare bits, which format 2 sets.
+   function Without_Frame (Item : Downlink_Buffer) return Downlink_Buffer is
+     (Spare_Bits.Sensors_In (Item))
+   with Global => null;
+
    --  The block is for no task; this is an error.
    function Is_Unknown
      (Item : Downlink_Buffer; Fresh : Boolean) return Boolean
@@ -66,7 +78,7 @@ package URV.GDCIN_Steps with Pure, SPARK_Mode is
      (Item : Downlink_Buffer; Fresh : Boolean) return Routing.Place_Count
    is
      (if Fresh and then not Is_Other_Kind (Item)
-      then First_Out_Of_Range (Item)
+      then First_Out_Of_Range (Spare_Bits.Sensors_In (Item))
       else 0)
    with Global => null;
 

@@ -23,7 +23,7 @@ package body URV.GDCIN_Task with SPARK_Mode is
    begin
       TELIN_Variable.Receive (Item, Fresh);
       Message := Passed_On (Item, Fresh, Last);
-      Previous.Write (For_CORE (Message));
+      Previous.Write (To_Keep (Message));
 
       if not Fresh then
          Errors.Report (No_Input, 0);
@@ -37,9 +37,9 @@ package body URV.GDCIN_Task with SPARK_Mode is
       end if;
 
       if Is_Of_Recorder (Item, Fresh) then
-         Recorder_Blocks.Send (Item, Unused_Success);
+         Recorder_Blocks.Send (Without_Frame (Item), Unused_Success);
       end if;
-      Downlink_Variable.Send (For_CORE (Message), Success);
+      Downlink_Variable.Send (For_CORE (To_Keep (Message)), Success);
       if not Success then
          Errors.Report (Downlink_Not_Consumed, 0);
       end if;

@@ -3,7 +3,8 @@
 --  GDCIN task: gives the aircraft's messages to CORE (report, 5.5, table 9;
 --  GDI-1, D-11, D-14). Released at minor frame 1.
 --
---  Consumes TELIN_variable, produces downlink_variable. The fragment of the
+--  Consumes TELIN_variable, produces downlink_variable, with the frame that
+--  the message's spare bits carry (FTI-12). The fragment of the
 --  aircraft's error log goes to the log's receiver (SAF-7). A frame without a
 --  new message passes on the last one, marked as old.
 --
@@ -19,7 +20,7 @@ with URV.Shared_Errors; use URV.Shared_Errors;
 
 generic
    TELIN_Variable    : in out For_Downlink.Variable;
-   Downlink_Variable : in out For_Downlink.Variable;
+   Downlink_Variable : in out For_Framed_Downlink.Variable;
    Recorder_Blocks   : in out For_Downlink.Variable;
    Errors            : in out Shared_Log;
    with procedure Take_Piece (Item : Piece);

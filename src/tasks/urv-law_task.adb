@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URV.Card_Status;
 with URV.Errors;    use URV.Errors;
 with URV.LAW_Reports;
 with URV.LAW_Steps; use URV.LAW_Steps;
@@ -25,6 +26,7 @@ package body URV.LAW_Task with SPARK_Mode is
       Law_Memory.Write (Memory);
       Surface_Health.Write (Result.Reported);
       Test_Added.Write (Result.Added);
+      Card_Shown.Write (Card_Status.Card_Word (Memory.Cards.Run));
       Reports.Report
         (Before, Reports.State_Of (Memory), Usual, Got, Result,
          Memory.Cards.Run);

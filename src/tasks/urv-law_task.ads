@@ -11,12 +11,13 @@
 --
 --  A configuration from the ground is taken, or refused and reported, before
 --  the laws use it (EXT-2), and so is a test card, which then runs by switch 5
---  (FTI-2, FTI-4).
+--  (FTI-2, FTI-4). Each downlink reports the running one (FTI-12).
 --
 --  Each of these jobs has a package of its own (D-43). URV.LAW_Steps has the
 --  decision of all of them.
 
 with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Shared_Cards;
 with URV.Shared_Errors; use URV.Shared_Errors;
 with URV.Shared_Inputs;
 with URV.Shared_Laws;
@@ -31,6 +32,7 @@ generic
    Law_Memory        : in out URV.Shared_Laws.Memories.Store;
    Surface_Health    : in out URV.Shared_Surfaces.Healths.Store;
    Test_Added        : in out URV.Shared_Inputs.Store;
+   Card_Shown        : in out URV.Shared_Cards.Store;
    Errors            : in out Shared_Log;
 package URV.LAW_Task with SPARK_Mode is
 
@@ -40,6 +42,6 @@ package URV.LAW_Task with SPARK_Mode is
        (Input  => Law_Settings,
         In_Out => (Commands_Variable, Sensors_Variable, PWM_Variable,
                    Configuration_Variable, Law_Memory, Surface_Health,
-                   Test_Added, Errors));
+                   Test_Added, Card_Shown, Errors));
 
 end URV.LAW_Task;

@@ -28,4 +28,7 @@ package URV.Mailboxes with SPARK_Mode is
    package For_Downlink is
      new URVOS.Shared_Mailboxes (Downlink_Buffer, Neutral_Downlink);
 
+   package For_Framed_Downlink is
+     new URVOS.Shared_Mailboxes (Framed_Downlink, Neutral_Framed_Downlink);
+
 end URV.Mailboxes;

@@ -7,8 +7,11 @@ with URV.Routing;      use URV.Routing;
 
 package body URV.MDCOUT_Task with SPARK_Mode is
 
-   procedure Run_Transaction is
+   procedure Run_Transaction (Now : Clock_Tick) is
       Bits    : constant Word := Node_Status.Contents;
+      Frame   : constant Frame_Words :=
+        Frame_Of
+          (Now, Schedule.Contents, Card_Shown.Contents, PWM_Board.Contents);
       Unknown : constant Unknown_Count := First_Unknown_Sensor (Codes);
       Image   : AD_Image;
       Message : Downlink_Buffer;
@@ -27,8 +30,11 @@ package body URV.MDCOUT_Task with SPARK_Mode is
       if not Fresh then
          Errors.Report (No_Image, 0);
       end if;
+      if Has_Out_Of_Range (Message, Fresh) then
+         Errors.Report (Input_Out_Of_Range, Code_Out_Of_Range (Message));
+      end if;
 
-      Downlink_Variable.Send (Message, Success);
+      Downlink_Variable.Send ((Words => Message, Frame => Frame), Success);
       if not Success then
          Errors.Report (Downlink_Not_Consumed, 0);
       end if;
@@ -36,7 +42,7 @@ package body URV.MDCOUT_Task with SPARK_Mode is
       Next_Block (Message, Block, Is_Sent);
       if not Is_Sent then
          Next_Piece (Next);
-         Block := For_Link (Message, Next);
+         Block := For_Link (Message, Frame, Next);
       end if;
       TELOUT_Variable.Send (Block, Success);
       if not Success then

@@ -36,9 +36,11 @@ package body URV.Shared_CORE_Memory with SPARK_Mode is
          Present.Uplink := Words;
       end Write_Uplink;
 
-      procedure Write_Downlink (Words : Downlink_Buffer) is
+      procedure Write_Downlink (Words : Downlink_Buffer; Frame : Frame_Words)
+      is
       begin
          Present.Downlink := Words;
+         Present.Frame := Frame;
       end Write_Downlink;
 
       procedure Write_Status (Words : Status_Array) is

@@ -29,7 +29,8 @@ package URV.Shared_CORE_Memory with SPARK_Mode is
 
       procedure Write_Uplink (Words : Uplink_Buffer);
 
-      procedure Write_Downlink (Words : Downlink_Buffer);
+      --  The words and their frame, at one instant.
+      procedure Write_Downlink (Words : Downlink_Buffer; Frame : Frame_Words);
 
       --  Writes the given words of the status area at one instant; the others
       --  are unchanged.

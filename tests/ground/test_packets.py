@@ -24,7 +24,7 @@ PAGE = (ROOT / "docs" / "station-packets.md").read_text(encoding="utf-8")
 def some_frame(version=2):
     """A packet in which each number differs from the others."""
     log = tuple(LogRow(70_000 + row, 80_000 + row, 90_000 + row, 100 + row)
-                if row < 32 or version == 2 else LogRow()
+                if row < 32 or version >= 2 else LogRow()
                 for row in range(packets.ROWS_PER_LOG))
     empty = tuple(LogRow() for _ in range(packets.ROWS_PER_LOG))
     return FramePacket(
@@ -33,7 +33,9 @@ def some_frame(version=2):
         link_state=LinkState.LOST, console_sequence=0x11121314,
         counts=tuple(range(0x20000000, 0x20000000 + 10)),
         words=tuple(range(0x300, 0x300 + 55)), logs=(log, empty),
-        version=version, status=tuple(range(0x500, 0x500 + 12)), pilot=Pilot.FLIES)
+        version=version, status=tuple(range(0x500, 0x500 + 12)),
+        pilot=Pilot.FLIES, **({} if version < 3 else {
+            "downlink_frame": tuple(range(0x400, 0x400 + 10))}))
 
 
 def some_console():
@@ -78,7 +80,8 @@ def words(data, place, size=2):
             for offset in range(place[0], sum(place), size)]
 
 
-@pytest.mark.parametrize("version, length", [(1, 1108), (2, 1332)])
+@pytest.mark.parametrize("version, length", [
+    (1, 1108), (2, 1332), (3, 1352)])
 def test_gnd1_a_frame_packet_is_laid_out_as_on_the_page(version, length):
     packet = some_frame(version)
     data = packet.encode()
@@ -102,7 +105,7 @@ def test_gnd1_a_frame_packet_is_laid_out_as_on_the_page(version, length):
     for name, log in zip(("log of gsc", "log of mcs"), packet.logs,
                          strict=True):
         parts = [(at[name.replace("of ", "of `")], log[:32])]
-        if version == 2:
+        if version >= 2:
             parts.append((at[name.replace("log of ", "more of `")], log[32:]))
         for (offset, size), rows in parts:
             for which, entry in enumerate(rows):
@@ -112,14 +115,27 @@ def test_gnd1_a_frame_packet_is_laid_out_as_on_the_page(version, length):
                     for field in ("count", "first_frame", "last_frame",
                                   "detail")))
             assert size == 14 * len(rows)
-    last = "pilot" if version == 1 else "more of `mcs"
+    last = {1: "pilot", 2: "more of `mcs", 3: "gsc.frame.*"}[version]
     assert sum(at[last]) == len(data)
+    if version == 3:
+        assert tuple(words(data, at[last])) == packet.downlink_frame
 
 
 def test_gnd1_the_second_version_begins_as_the_first_does():
     """A reader of the first format finds every word in its place."""
-    first, second = some_frame(1).encode(), some_frame(2).encode()
+    first, second, third = (some_frame(each).encode() for each in (1, 2, 3))
     assert second[8:len(first)] == first[8:]
+    assert third[8:len(second)] == second[8:]
+
+
+def test_fti9_a_packet_has_the_frame_of_the_downlink():
+    words = some_frame(3).frame_words
+    assert list(words) == list(packets.FRAME_WORDS)
+    assert (words["number"], words["card"], words["throttle"]) == (
+        0x400, 0x401, 0x409)
+    unknown = replace(some_frame(3), downlink_frame=(65_535,) * 10)
+    assert set(unknown.frame_words.values()) == {None}
+    assert set(some_frame(2).frame_words.values()) == {None}
 
 
 def test_gnd1_a_console_packet_is_laid_out_as_on_the_page():
@@ -162,7 +178,7 @@ def test_gnd35_an_order_is_of_what_a_block_can_carry(name, wrong):
 
 
 def test_gnd1_what_is_encoded_is_decoded():
-    for version in (1, 2):
+    for version in (1, 2, 3):
         packet = some_frame(version)
         assert FramePacket.decode(packet.encode()) == packet
     assert ConsolePacket.decode(some_console().encode()) == some_console()
@@ -221,8 +237,9 @@ def test_gnd1_only_what_has_happened_is_an_event():
 
 
 @pytest.mark.parametrize("kind, packet, lengths, versions", [
-    (FramePacket, some_frame(1), "1108 or 1332", "1 or 2"),
-    (FramePacket, some_frame(2), "1108 or 1332", "1 or 2"),
+    (FramePacket, some_frame(1), "1108 or 1332 or 1352", "1 or 2 or 3"),
+    (FramePacket, some_frame(2), "1108 or 1332 or 1352", "1 or 2 or 3"),
+    (FramePacket, some_frame(3), "1108 or 1332 or 1352", "1 or 2 or 3"),
     (ConsolePacket, some_console(), "52", "1"),
     (OrderPacket, some_order(), "34", "1"),
     (CardPacket, some_card(), "50", "1")])
@@ -234,14 +251,14 @@ def test_gnd1_another_length_magic_or_version_is_refused(
             (data + b"\0", f"{len(data) + 1} bytes, not {lengths}"),
             (b"", f"0 bytes, not {lengths}"),
             (b"X" + data[1:], "begins with 58525"),
-            (data[:4] + b"\0\3" + data[6:], f"version 3, not {versions}"),
+            (data[:4] + b"\0\4" + data[6:], f"version 4, not {versions}"),
             (data[:6] + b"\0\1" + data[8:], "length field is 1 bytes")):
         with pytest.raises(PacketError, match=why):
             kind.decode(spoilt)
 
 
 def test_gnd1_each_version_has_a_length_of_its_own():
-    for version, other in ((1, 2), (2, 1)):
+    for version, other in ((1, 2), (2, 1), (3, 2), (2, 3)):
         data = some_frame(version).encode()
         with pytest.raises(PacketError, match=f"bytes of version {other}"):
             FramePacket.decode(data[:5] + bytes([other]) + data[6:])

@@ -5,6 +5,7 @@ It is read here as XTCE says, by a reader of its own, and every parameter of
 packets with random words compared with what urv.packets and urv.items say.
 """
 
+import operator
 import random
 import re
 import xml.etree.ElementTree as ElementTree
@@ -15,6 +16,7 @@ from urv import deck, items, laws, packets
 
 NAMESPACE = {"x": "http://www.omg.org/spec/XTCE/20180204"}
 PER_SECOND = 4
+COMPARISONS = {"==": operator.eq, ">=": operator.ge}
 
 
 def child(element, *path):
@@ -83,9 +85,10 @@ class Database:
         for entry in children(self.container, "EntryList",
                               "ParameterRefEntry"):
             name = entry.get("parameterRef")
-            if any(values[child(condition, "ParameterInstanceRef").get(
-                    "parameterRef").rpartition("/URV/")[2]]
-                    != int(child(condition, "Value").text)
+            if not all(COMPARISONS[child(condition, "ComparisonOperator").text](
+                    values[child(condition, "ParameterInstanceRef").get(
+                        "parameterRef").rpartition("/URV/")[2]],
+                    int(child(condition, "Value").text))
                     for condition in entry.iterfind(
                         ".//x:IncludeCondition//x:Condition", NAMESPACE)):
                 continue
@@ -133,7 +136,8 @@ def packet(seed, age, version=packets.WHOLE):
                                    + chance.getrandbits(16), *some(32, 2)))
                    for _ in packets.NODES),
         version=version, status=some(16, len(packets.STATUS)),
-        pilot=packets.Pilot(chance.randrange(3)))
+        pilot=packets.Pilot(chance.randrange(3)),
+        downlink_frame=some(16, len(packets.FRAME_WORDS)))
 
 
 def expected(frame):
@@ -162,15 +166,19 @@ def expected(frame):
                     "yes" if word >> bit & 1 else "no")
         elif frame.downlink_age == 0 or not name.startswith("gsc/downlink"):
             values[name] = pytest.approx(item.value(word), abs=1e-9)
+    if frame.version == packets.FRAMED and frame.downlink_age == 0:
+        for name, word in zip(packets.FRAME_WORDS, frame.downlink_frame,
+                              strict=True):
+            values[f"frame/{name}"] = word
     for node, log in zip(packets.NODES, frame.logs, strict=True):
         for place, kind in enumerate(packets.KINDS):
-            if place < 32 or frame.version == 2:
+            if place < 32 or frame.version >= 2:
                 values[f"log/{node}/{kind}"] = vars(log[place])
-    if frame.version == 2:
+    if frame.version >= 2:
         values["link/blocks_refused"] = frame.logs[0][
             packets.KINDS.index("block_refused")].count
     told = laws.Laws.of(frame)
-    if frame.version == 2 and frame.downlink_age == 0:
+    if frame.version >= 2 and frame.downlink_age == 0:
         for name in ("lateral", "vertical", "power", "link", "silent"):
             values[f"laws/{name}"] = getattr(told, name)
         row = frame.logs[1][packets.LAWS_ROW - 1]
@@ -194,8 +202,8 @@ def expected(frame):
 
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("age", [0, 1, packets.NEVER])
-@pytest.mark.parametrize("version", [1, 2])
-def test_gnd12_fti8_each_parameter_is_what_the_packet_says(
+@pytest.mark.parametrize("version", [1, 2, 3])
+def test_gnd12_fti8_fti9_each_parameter_is_what_the_packet_says(
         database, seed, age, version):
     frame = packet(seed, age, version)
     values, _ = database.decoded(frame.encode())
@@ -203,7 +211,7 @@ def test_gnd12_fti8_each_parameter_is_what_the_packet_says(
 
 
 def test_gnd12_nothing_of_the_packet_is_left_out(database):
-    _, places = database.decoded(packet(1, 0).encode())
+    _, places = database.decoded(packet(1, 0, packets.FRAMED).encode())
     taken = {bit for place in places.values() for bit in place}
     # Rows for kinds that there are not yet; the ground has no laws. The
     # cards' state has two words.

@@ -141,7 +141,7 @@ PLACE = "udp:127.0.0.1:6009"
     ("gsc", ("--publish", "udp:127.0.0.1:0"), "is not a port from 1"),
     ("gsc", ("--publish", "serial:x"), "is not udp:HOST:PORT"),
     ("gsc", ("--publish", PLACE) * 9, "more than 8 times"),
-    ("gsc", ("--packets", "3"), "neither 1 nor 2"),
+    ("gsc", ("--packets", "4"), "neither 1, 2 nor 3"),
     ("mcs", ("--plant", "brick"), 'neither "bench" nor "jsbsim"'),
     ("mcs", ("--laws", "perhaps"), 'neither "on" nor "off"'),
     ("mcs", ("--orbit-after", "10"), "add --laws on"),

@@ -426,16 +426,19 @@ def test_sec4_an_uplink_has_6_bits_of_its_number():
     assert list(sealed_blocks.wrongs(blocks[::-1], "up")) != []
 
 
-def test_sec4_a_downlink_has_32_bits_of_its_number():
+def test_sec4_a_downlink_has_24_bits_of_its_number():
     blocks = [sealed_block("down", number)
-              for number in (2**31 - 1, 2**32 - 2, 1)]
+              for number in (2**23 - 1, 2**24 - 2, 1)]
     assert list(sealed_blocks.wrongs(blocks, "down")) == []
 
 
-@pytest.mark.parametrize("first, marked", [(0, 0), (0x0F, 0), (0x10, 1),
-                                           (0xA0, 1), (0xB0, 1)])
-def test_blocks_of_format_1_have_no_mark(first, marked):
-    found = list(sealed_blocks.marked([bytes(28), bytes([first] + [0] * 27)]))
+@pytest.mark.parametrize("way, first, marked", [
+    ("up", 0, 0), ("up", 0x0F, 0), ("up", 0x10, 1), ("up", 0x50, 1),
+    ("up", 0xA0, 1), ("down", 0x0F, 0), ("down", 0x50, 0),
+    ("down", 0x5F, 0), ("down", 0x60, 1), ("down", 0xB0, 1)])
+def test_blocks_of_format_1_have_no_mark_of_format_2(way, first, marked):
+    found = list(sealed_blocks.marked(
+        [bytes(28), bytes([first] + [0] * 27)], way))
     assert len(found) == marked
 
 

@@ -141,7 +141,8 @@ def test_sec3_the_wire_is_what_the_page_says(flights):
             number = last[way] + ((told >> 6) - last[way]) % 64
             code = told & 63
         else:
-            number = int.from_bytes(block[44:48], "big")
+            assert block[44] == 0
+            number = int.from_bytes(block[45:48], "big")
             code = block[43]
         peer = last["down" if way == "up" else "up"]
         echo = 0 if code == 63 else peer - (peer - code) % 63

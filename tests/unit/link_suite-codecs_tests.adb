@@ -7,6 +7,8 @@ with Telemetry;    use Telemetry;
 with URV.Buffers;  use URV.Buffers;
 with URV.Codecs;   use URV.Codecs;
 with URV.Routing;  use URV.Routing;
+with URV.Seal_Blocks;
+with URV.Spare_Bits; use URV.Spare_Bits;
 with URV.Word_Codecs;
 
 separate (Link_Suite)
@@ -23,6 +25,7 @@ package body Codecs_Tests is
    procedure Stamps;
    procedure Out_Of_Range;
    procedure Passed_On_Whole;
+   procedure Each_Bit_Of_A_Frame;
 
    --  An image whose words all differ. Channel n holds 100h + n.
    function Numbered_Image (Error : Word) return AD_Image;
@@ -235,6 +238,61 @@ package body Codecs_Tests is
          16#1000#);
    end Passed_On_Whole;
 
+   procedure Each_Bit_Of_A_Frame is
+      Frame  : Frame_Words;
+      Source : Downlink_Buffer;
+      Sent   : Downlink_Buffer;
+      Found  : Framed_Downlink;
+
+      function Largest (Item : Frame_Item) return Word is
+        (if Item in Running_Card | Card_Phase then 15 else 16#FFF#);
+
+      use type URVOS.Byte;
+   begin
+      --  All values of each word of a frame, with sensors of all 0, all 1,
+      --  and others.
+      for Item in Frame_Item loop
+         for Value in Word range 0 .. Largest (Item) loop
+            Frame := [for Each in Frame_Item => Largest (Each) and 16#A5A#];
+            Frame (Item) := Value;
+            Source :=
+              (others =>
+                 (case Value mod 3 is
+                     when 0      => 0,
+                     when 1      => 16#FFF#,
+                     when others => Value));
+            Source (Error_Status) := 16#F005#;
+            Sent :=
+              Downlink.Decode (Downlink.Encode (Packed (Source, Frame)));
+            Found := Unpacked (Sent);
+            Expect ("the sensors", Found.Words = Source, True);
+            Expect
+              (Item'Image & " is" & Value'Image, Found.Frame = Frame, True);
+         end loop;
+      end loop;
+      Expect
+        ("no mark of format 2",
+         URV.Seal_Blocks.Mark_Of (Downlink.Encode (Sent)) = 16#50#, True);
+
+      --  Places on the wire: word 1 is 5fff, the number is in words 2 to 4.
+      Frame := (Frame_Number => 16#123#, Running_Card => 4, Card_Phase => 5,
+                Throttle => 16#678#, others => 0);
+      Sent := Packed ((others => 16#9999#), Frame);
+      Expect ("mark", Sent (Right_Flap_1), 16#5FFF#);
+      Expect ("number, high", Sent (Left_Flap_1), 16#1FFF#);
+      Expect ("number, middle", Sent (Right_Flap_2), 16#2FFF#);
+      Expect ("number, low", Sent (Left_Flap_2), 16#3FFF#);
+      Expect ("card", Sent (Right_Aileron), 16#4FFF#);
+      Expect ("phase", Sent (Left_Aileron), 16#5FFF#);
+      Expect ("throttle, low", Sent (Uplink_Signal_Strength), 16#8FFF#);
+      Expect ("flags and fragment", Sent (Error_Status), 16#9999#);
+
+      --  Words without a mark are not changed.
+      Sent (Right_Flap_1) := 16#FFFF#;
+      Expect ("as they are", Unpacked (Sent).Words = Sent, True);
+      Expect ("no frame", Unpacked (Sent).Frame = Unknown_Frame, True);
+   end Each_Bit_Of_A_Frame;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -267,6 +325,9 @@ package body Codecs_Tests is
       Add
         (Suite, "D-11 words above 0FFFh are passed on unchanged",
          Passed_On_Whole'Access);
+      Add
+        (Suite, "FTI-12 D-98 a frame's bits arrive and change no sensor",
+         Each_Bit_Of_A_Frame'Access);
    end Add_To;
 
 end Codecs_Tests;

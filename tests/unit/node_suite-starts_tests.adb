@@ -371,7 +371,7 @@ package body Starts_Tests is
       procedure Uplink is new Expect_Variable
         (For_Uplink, MCS.Uplink_Variable);
       procedure Downlink is new Expect_Variable
-        (For_Downlink, MCS.Downlink_Variable);
+        (For_Framed_Downlink, MCS.Downlink_Variable);
       procedure TELOUT is new Expect_Variable
         (For_Downlink, MCS.TELOUT_Variable);
       procedure Commands is new Expect_Variable
@@ -402,7 +402,7 @@ package body Starts_Tests is
       procedure Uplink is new Expect_Variable
         (For_Uplink, GSC.Uplink_Variable);
       procedure Downlink is new Expect_Variable
-        (For_Downlink, GSC.Downlink_Variable);
+        (For_Framed_Downlink, GSC.Downlink_Variable);
       procedure TELOUT is new Expect_Variable
         (For_Uplink, GSC.TELOUT_Variable);
    begin

@@ -115,8 +115,11 @@ package body Nodes_Tests is
         ("throttle in MCS CORE", CORE_Of_MCS.Uplink (Throttle), 16#8123#);
       Expect ("throttle servo", Servos (8), 16#FFF#);
       Expect
-        ("left rudder in GSC CORE", CORE_Of_GSC.Downlink (Left_Rudder),
+        ("left rudder in MCS CORE", CORE_Of_MCS.Downlink (Left_Rudder),
          16#FFFF#);
+      Expect
+        ("left rudder in GSC CORE", CORE_Of_GSC.Downlink (Left_Rudder),
+         16#FFF#);
    end Too_Large;
 
    procedure Cut_Link is
@@ -218,6 +221,7 @@ package body Nodes_Tests is
       procedure Expect is new Expect_New (For_Sensor_Images);
       procedure Expect is new Expect_New (For_Uplink);
       procedure Expect is new Expect_New (For_Downlink);
+      procedure Expect is new Expect_New (For_Framed_Downlink);
 
    begin
       Switch_On;
@@ -260,6 +264,7 @@ package body Nodes_Tests is
       function Misses is new Misses_Of (For_Sensor_Images);
       function Misses is new Misses_Of (For_Uplink);
       function Misses is new Misses_Of (For_Downlink);
+      function Misses is new Misses_Of (For_Framed_Downlink);
 
       --  Expects the log's count of a kind, at least one.
       procedure Expect_Told
@@ -287,7 +292,7 @@ package body Nodes_Tests is
          MCS.TELOUT.Run_Transaction;
          MCS.PWM.Run_Transaction;
          MCS.LAW.Run_Transaction;
-         MCS.MDCOUT.Run_Transaction;
+         MCS.MDCOUT.Run_Transaction (Now => 0);
          MCS.MDCIN.Run_Transaction;
          MCS.AD.Run_Transaction (0);
          MCS.AD.Run_Transaction (0);
@@ -459,19 +464,24 @@ package body Nodes_Tests is
    end Logged_Flight;
 
    procedure Logged_Range is
-      Log : Error_Log;
    begin
-      Too_Large;
-      Log := Log_Of (Telemetry.Aircraft);
+      Switch_On;
+      Console (3) := 16#8123#;
+      Fly (6);
       Expect
         ("throttle is word 4",
-         Logs.History_Of (Log, Input_Out_Of_Range).Last_Detail, 4);
-      Log := Log_Of (Telemetry.Ground);
+         Logs.History_Of
+           (Log_Of (Telemetry.Aircraft), Input_Out_Of_Range).Last_Detail,
+         4);
+      Sensors (9) := 16#FFFF#;
+      Fly (6);
       Expect
-        ("left rudder is word 10",
-         Logs.History_Of (Log, Input_Out_Of_Range).Last_Detail, 10);
+        ("left rudder has code 020Ah",
+         Logs.History_Of
+           (Log_Of (Telemetry.Aircraft), Input_Out_Of_Range).Last_Detail,
+         16#20A#);
       Expect
-        ("in CORE", CORE_Of_GSC.Status (Last_Error),
+        ("in CORE", CORE_Of_MCS.Status (Last_Error),
          Error_Kind'Pos (Input_Out_Of_Range) + 1);
    end Logged_Range;
 
@@ -487,7 +497,7 @@ package body Nodes_Tests is
         (Suite, "SET-2 switches reach flaps and discretes",
          Flaps_And_Discretes'Access);
       Add
-        (Suite, "D-11 a word above 0FFFh is limited at the servos only",
+        (Suite, "D-11 a word above 0FFFh is limited at servos, and down",
          Too_Large'Access);
       Add
         (Suite, "LNK-9 a cut link holds the last words, and recovers",

@@ -17,6 +17,7 @@ package Task_Rig is
    package Stick_Images is new Variable_Ends (For_Stick_Images);
    package Up is new Variable_Ends (For_Uplink);
    package Down is new Variable_Ends (For_Downlink);
+   package Framed is new Variable_Ends (For_Framed_Downlink);
 
    --  Expects exactly these errors in the log, the last one with this detail,
    --  the others with 0. Then the log is cleared.
@@ -32,6 +33,8 @@ package Task_Rig is
    --  A buffer with mark m: word n is m + n, and its error/status word is 0.
    function Uplink_Of (Mark : Word) return Uplink_Buffer;
    function Downlink_Of (Mark : Word) return Downlink_Buffer;
+   function Framed_Of (Mark : Word) return Framed_Downlink is
+     (Words => Downlink_Of (Mark), Frame => Unknown_Frame);
    function Image_Of (Mark : Word; Error : Word) return AD_Image;
 
    procedure Expect_Buffer

@@ -25,7 +25,7 @@ package body CORE_Tests is
    --  The task's surroundings
 
    Uplink   : For_Uplink.Variable;
-   Downlink : For_Downlink.Variable;
+   Downlink : For_Framed_Downlink.Variable;
    Board    : URV.Shared_CORE_Memory.Board;
    Errors   : URV.Shared_Errors.Shared_Log;
 
@@ -49,7 +49,7 @@ package body CORE_Tests is
    begin
       Begin_Test;
       Up.Give (Uplink, Uplink_Of (16#100#));
-      Down.Give (Downlink, Downlink_Of (16#200#));
+      Framed.Give (Downlink, Framed_Of (16#200#));
       Under_Test.Run_Transaction;
       CORE := Board.Contents;
       Expect_Buffer ("uplink", CORE.Uplink, Uplink_Of (16#100#));
@@ -69,12 +69,12 @@ package body CORE_Tests is
          for Down_Is_New in Boolean loop
             Both_Are_New;
             Board.Write_Uplink (Foreign_Up);
-            Board.Write_Downlink (Foreign_Down);
+            Board.Write_Downlink (Foreign_Down, Unknown_Frame);
             if Up_Is_New then
                Up.Give (Uplink, Uplink_Of (16#300#));
             end if;
             if Down_Is_New then
-               Down.Give (Downlink, Downlink_Of (16#400#));
+               Framed.Give (Downlink, Framed_Of (16#400#));
             end if;
             Under_Test.Run_Transaction;
             CORE := Board.Contents;

@@ -381,7 +381,7 @@ package body LOG_Task_Tests is
       Errors.Report (No_Input, 0);
       Under_Test.Run_Transaction;
       CORE.Write_Uplink ((others => 9));
-      CORE.Write_Downlink ((others => 9));
+      CORE.Write_Downlink ((others => 9), (others => 9));
       Expect ("condition", Status (Start_Condition), 3);
       Expect ("cold", Status (Cold_Starts), 1);
       Expect ("warm", Status (Warm_Resets), 2);

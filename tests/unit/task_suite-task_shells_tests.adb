@@ -18,6 +18,7 @@ with URV.Log_Pieces;      use URV.Log_Pieces;
 with URV.PWM_Layout;
 with URV.PWM_Transform;   use URV.PWM_Transform;
 with URV.Routing;         use URV.Routing;
+with URV.Spare_Bits; use URV.Spare_Bits;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;
 with URV.Test_Inputs;     use type URV.Test_Inputs.Increments;
@@ -107,7 +108,8 @@ package body Task_Shells_Tests is
          Down.Give (GSC.TELIN_Variable, Other);
          GSC.GDCIN.Run_Transaction;
          Expect_Buffer
-           (What, Down.Taken (What, GSC.Downlink_Variable), As_Old (Kept));
+           (What, Framed.Taken (What, GSC.Downlink_Variable).Words,
+            As_Old (Kept));
          Expect_Errors
            (What, GSC.Errors, (1 => Unknown_Code), Detail => 16#500#);
       end Expect_Kept;
@@ -118,9 +120,9 @@ package body Task_Shells_Tests is
       Expect_Kept ("nothing yet", Neutral_Downlink);
       Down.Give (GSC.TELIN_Variable, First);
       GSC.GDCIN.Run_Transaction;
-      Unused := Down.Taken ("sensors", GSC.Downlink_Variable);
-      Down.Give (GSC.Downlink_Variable, Downlink_Of (16#700#));
-      Unused := Down.Taken ("a stranger's", GSC.Downlink_Variable);
+      Unused := Framed.Taken ("sensors", GSC.Downlink_Variable).Words;
+      Framed.Give (GSC.Downlink_Variable, Framed_Of (16#700#));
+      Unused := Framed.Taken ("a stranger's", GSC.Downlink_Variable).Words;
 
       --  Its fragment of the log is neither kept with it nor taken again.
       Expect_Kept
@@ -146,8 +148,8 @@ package body Task_Shells_Tests is
          if Frame = 1 then
             Images.Give (MCS.AD_Variable, Image_Of (16#100#, Error => 16#4#));
          end if;
-         MCS.MDCOUT.Run_Transaction;
-         Item := Down.Taken ("to CORE", MCS.Downlink_Variable);
+         MCS.MDCOUT.Run_Transaction (Now => 0);
+         Item := Framed.Taken ("to CORE", MCS.Downlink_Variable).Words;
          Expect ("sensors", Item (Altitude), Downlink_Of (16#100#) (Altitude));
          Expect
            ("flags", Item (Error_Status),
@@ -159,7 +161,7 @@ package body Task_Shells_Tests is
            (Item (Error_Status), (if Frame = 1 then 16#107# else 16#200#));
          Expect_Buffer
            ("down, with a fragment",
-            Down.Taken ("to TELOUT", MCS.TELOUT_Variable), Item);
+            Sensors_In (Down.Taken ("to TELOUT", MCS.TELOUT_Variable)), Item);
       end loop;
    end MDCOUT_Gives_Sensors;
 

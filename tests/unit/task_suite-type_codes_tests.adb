@@ -95,7 +95,7 @@ package body Type_Codes_Tests is
    --  CORE
 
    Uplink   : For_Uplink.Variable;
-   Downlink : For_Downlink.Variable;
+   Downlink : For_Framed_Downlink.Variable;
    Board    : URV.Shared_CORE_Memory.Board;
 
    package CORE_Under_Test is new URV.CORE_Task
@@ -108,7 +108,7 @@ package body Type_Codes_Tests is
    begin
       CORE_Under_Test.Initialise;
       Up.Give (Uplink, Uplink_Of (16#100#));
-      Down.Give (Downlink, Downlink_Of (16#200#));
+      Framed.Give (Downlink, Framed_Of (16#200#));
       CORE_Under_Test.Run_Transaction;
       Expect_Errors ("its own codes", Errors, None);
 
@@ -117,7 +117,7 @@ package body Type_Codes_Tests is
       Down_Codes (Right_Flap_2) := 16#101#;
       Board.Write_Codes (Up_Codes, Down_Codes, Status_Type_Codes);
       Up.Give (Uplink, Uplink_Of (16#300#));
-      Down.Give (Downlink, Downlink_Of (16#400#));
+      Framed.Give (Downlink, Framed_Of (16#400#));
       CORE_Under_Test.Run_Transaction;
       Found := Board.Contents;
       Expect ("pitch is first", Found.Uplink (Roll), 16#301#);
@@ -132,7 +132,7 @@ package body Type_Codes_Tests is
 
       --  The codes are written again, and all words have their places.
       Up.Give (Uplink, Uplink_Of (16#500#));
-      Down.Give (Downlink, Downlink_Of (16#600#));
+      Framed.Give (Downlink, Framed_Of (16#600#));
       CORE_Under_Test.Run_Transaction;
       Found := Board.Contents;
       Expect
@@ -170,7 +170,7 @@ package body Type_Codes_Tests is
          end if;
          Board.Write_Codes (Up_Codes, Down_Codes, Status_Type_Codes);
          Up.Give (Uplink, Uplink_Of (Code xor 16#3000#));
-         Down.Give (Downlink, Downlink_Of (Code xor 16#5000#));
+         Framed.Give (Downlink, Framed_Of (Code xor 16#5000#));
          CORE_Under_Test.Run_Transaction;
          Found := Board.Contents;
          Expect
@@ -193,7 +193,7 @@ package body Type_Codes_Tests is
             Detail => Code);
 
          Up.Give (Uplink, Uplink_Of (16#500#));
-         Down.Give (Downlink, Downlink_Of (16#600#));
+         Framed.Give (Downlink, Framed_Of (16#600#));
          CORE_Under_Test.Run_Transaction;
          Expect_Errors ("its own codes again", Errors, None);
       end Expect_Kept;
@@ -201,7 +201,7 @@ package body Type_Codes_Tests is
    begin
       CORE_Under_Test.Initialise;
       Up.Give (Uplink, Uplink_Of (16#100#));
-      Down.Give (Downlink, Downlink_Of (16#200#));
+      Framed.Give (Downlink, Framed_Of (16#200#));
       CORE_Under_Test.Run_Transaction;
 
       --  Just below the codes of either kind, just above, and far away.
@@ -305,12 +305,12 @@ package body Type_Codes_Tests is
       Clear;
       Down.Give (GSC.TELIN_Variable, Downlink_Of (16#200#));
       GSC.GDCIN.Run_Transaction;
-      Unused := Down.Taken ("to CORE", GSC.Downlink_Variable);
+      Unused := Framed.Taken ("to CORE", GSC.Downlink_Variable).Words;
 
       Down.Give (GSC.TELIN_Variable, Item);
       GSC.GDCIN.Run_Transaction;
       Expect_Buffer
-        ("the last", Down.Taken ("to CORE", GSC.Downlink_Variable),
+        ("the last", Framed.Taken ("to CORE", GSC.Downlink_Variable).Words,
          As_Old (Downlink_Of (16#200#)));
       Expect_Errors
         ("unknown", GSC.Errors, (1 => Unknown_Code), Detail => 16#500#);
@@ -318,7 +318,7 @@ package body Type_Codes_Tests is
       Down.Give (GSC.TELIN_Variable, As_Old (Item));
       GSC.GDCIN.Run_Transaction;
       Expect_Buffer
-        ("still", Down.Taken ("to CORE", GSC.Downlink_Variable),
+        ("still", Framed.Taken ("to CORE", GSC.Downlink_Variable).Words,
          As_Old (Downlink_Of (16#200#)));
       Expect_Errors ("told once", GSC.Errors, None);
    end Unknown_Down;

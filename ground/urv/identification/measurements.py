@@ -7,6 +7,7 @@ inputs are interpolated if the gap is short.
 
 from __future__ import annotations
 
+import statistics
 from dataclasses import dataclass, replace
 
 import numpy
@@ -42,6 +43,16 @@ ATTITUDE, RATES, ACCELERATIONS, AIRFLOW = (
     ("phi", "theta", "altitude"), ("p", "q", "r"), ("ax", "ay", "az"),
     ("alpha", "beta", "airspeed"))
 """Groups of sensors that share a delay."""
+
+
+CHANNELS_LATE = {
+    name: -statistics.mean(
+        flights.sample_offset(f"gsc.downlink.{word}") for word in words)
+    for name, words in (
+        *((name, (word,)) for name, word in SENSORS.items()),
+        *SURFACES.items())}
+"""The delays with which `shifted` brings each signal to the beginning of its
+scan. Delays that all signals share do not matter."""
 
 
 @dataclass
@@ -92,13 +103,19 @@ def segment(flight: flights.Flight, begin: float, end: float,
     for name, sides in SURFACES.items():
         raw[name] = sum(_sensor(flight, side)[rows] for side in sides) / 2.0
     offset = _sensor(flight, "altitude_offset")[rows]
-    found = flight.seconds[rows]
-    frames = numpy.rint((found - found[0]) / packets.FRAME_S).astype(int)
+    has_words = ~numpy.isnan(sum(raw.values()) + offset)
+    frames, is_exact = _frames(flight, rows, has_words)
     if (numpy.diff(frames) < 1).any():
         raise Unusable("its times do not rise by whole frames")
-    times = found[0] + packets.FRAME_S * numpy.arange(frames[-1] + 1)
+    if is_exact:
+        # Rows without words have no frame of the aircraft.
+        raw = {name: values[has_words] for name, values in raw.items()}
+        offset, rows = offset[has_words], rows[has_words]
+        has_words = has_words[has_words]
+    times = (flight.seconds[rows[0]]
+             + packets.FRAME_S * numpy.arange(frames[-1] + 1))
     is_fresh = numpy.zeros(len(times), bool)
-    is_fresh[frames] = ~numpy.isnan(sum(raw.values()) + offset)
+    is_fresh[frames] = has_words
     known = times[is_fresh]
     if len(known) < 50 or max(
             known[0] - times[0], times[-1] - known[-1],
@@ -112,7 +129,21 @@ def segment(flight: flights.Flight, begin: float, end: float,
     height = signals["altitude"] + numpy.interp(
         times, known, offset[fresh_rows])
     ratio = numpy.maximum(1.0 - 6.8756e-6 * height, 0.1) ** 4.2559
-    return Segment(times, signals, is_fresh, ratio, record)
+    found = Segment(times, signals, is_fresh, ratio, record)
+    return shifted(found, CHANNELS_LATE) if is_exact else found
+
+
+def _frames(flight, rows, has_words):
+    """The frames of rows from the first one, and whether they are exact: those
+    of the aircraft, of the rows with words, when the record has them."""
+    exact = flight.aircraft_frames
+    if exact is not None and has_words.any():
+        frames = exact[rows][has_words]
+        if not numpy.isnan(frames).any():
+            return (frames - frames[0]).astype(int), True
+    found = flight.seconds[rows]
+    return numpy.rint(
+        (found - found[0]) / packets.FRAME_S).astype(int), False
 
 
 def _sensor(flight, name):
