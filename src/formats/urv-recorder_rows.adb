@@ -2,7 +2,7 @@
 
 package body URV.Recorder_Rows with SPARK_Mode is
 
-   function Row_Of (Number : Row_Number; Words : Frame_Words) return Row is
+   function Row_Of (Number : Row_Number; Words : Recorded_Words) return Row is
       Sum      : Word := 0;
       Partials : Word := 0;
    begin

@@ -29,7 +29,7 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
    type Law_Place is range 1 .. 6;
    type Law_Words is array (Law_Place) of Word;
 
-   type Frame_Words is record
+   type Recorded_Words is record
       Time     : Clock_Tick      := 0;
       Sensors  : Downlink_Buffer := (others => 0);
       Commands : Uplink_Buffer   := (others => 0);
@@ -43,7 +43,7 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
 
    type Row is record
       Number   : Row_Number  := 0;
-      Words    : Frame_Words := (others => <>);
+      Words    : Recorded_Words := (others => <>);
       Sum      : Word        := 0;
       Partials : Word        := 0;
    end record;
@@ -55,7 +55,7 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
    subtype Content_Word is Row_Word range 1 .. 70;
 
    function Content_Of
-     (Number : Row_Number; Words : Frame_Words; Place : Content_Word)
+     (Number : Row_Number; Words : Recorded_Words; Place : Content_Word)
       return Word
    is
      (case Place is
@@ -86,7 +86,7 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
    --  The sum of the contents up to a place, and that of its partial sums
 
    function Sum_Up_To
-     (Number : Row_Number; Words : Frame_Words; Place : Content_Word)
+     (Number : Row_Number; Words : Recorded_Words; Place : Content_Word)
       return Word
    is
      ((if Place = 1 then 0 else Sum_Up_To (Number, Words, Place - 1))
@@ -97,7 +97,7 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
      Subprogram_Variant => (Decreases => Place);
 
    function Partials_Up_To
-     (Number : Row_Number; Words : Frame_Words; Place : Content_Word)
+     (Number : Row_Number; Words : Recorded_Words; Place : Content_Word)
       return Word
    is
      ((if Place = 1 then 0 else Partials_Up_To (Number, Words, Place - 1))
@@ -108,7 +108,7 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
      Subprogram_Variant => (Decreases => Place);
 
    --  The row of a frame, with its sums.
-   function Row_Of (Number : Row_Number; Words : Frame_Words) return Row
+   function Row_Of (Number : Row_Number; Words : Recorded_Words) return Row
    with
      Global => null,
      Post   =>

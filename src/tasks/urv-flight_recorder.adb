@@ -15,13 +15,13 @@ with URVOS;             use URVOS;
 
 package body URV.Flight_Recorder with SPARK_Mode is
 
-   procedure Take_Laws (Words : in out Frame_Words)
+   procedure Take_Laws (Words : in out Recorded_Words)
    with Global => (Input => Law_Memory);
 
-   procedure Take_Errors (Words : in out Frame_Words)
+   procedure Take_Errors (Words : in out Recorded_Words)
    with Global => (Input => Errors);
 
-   procedure Take_Laws (Words : in out Frame_Words) is
+   procedure Take_Laws (Words : in out Recorded_Words) is
       Kept   : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
       Report : constant Law_Status.Report  := Law_Status.Report_Of
         (Kept.Flown, Surface_Monitor.Failed_Bits (Kept.Watched), Kept.Set);
@@ -32,7 +32,7 @@ package body URV.Flight_Recorder with SPARK_Mode is
       Words.Cards := Card_Status.State_Word (Kept.Cards.Run);
    end Take_Laws;
 
-   procedure Take_Errors (Words : in out Frame_Words) is
+   procedure Take_Errors (Words : in out Recorded_Words) is
       Log  : constant Error_Log  := Errors.Contents;
       Time : constant Clock_Tick := Errors.Time;
    begin
@@ -51,7 +51,7 @@ package body URV.Flight_Recorder with SPARK_Mode is
       Uplink   : constant Coded_Uplink   := CORE_Memory.Uplink_Area;
       Downlink : constant Coded_Downlink := CORE_Memory.Downlink_Area;
       Area     : constant Devices.PWM_Board.Data_Area := PWM_Board.Contents;
-      Words    : Frame_Words;
+      Words    : Recorded_Words;
    begin
       Words.Sensors := Downlink.Words;
       Words.Commands := Uplink.Words;

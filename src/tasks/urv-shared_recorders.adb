@@ -16,7 +16,7 @@ package body URV.Shared_Recorders with SPARK_Mode is
          Phase := (others => <>);
       end Clear;
 
-      procedure Take (Words : Frame_Words) is
+      procedure Take (Words : Recorded_Words) is
       begin
          Phase := After (Phase, Words.Sensors);
          if Is_Recording (Phase) and then not Is_Over (Kept) then

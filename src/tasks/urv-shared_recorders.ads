@@ -20,7 +20,7 @@ package URV.Shared_Recorders with SPARK_Mode is
       procedure Clear;
 
       --  A frame is over: records its words unless the recorder has stopped.
-      procedure Take (Words : Frame_Words);
+      procedure Take (Words : Recorded_Words);
 
       --  Rows are fetched: the recorder stops until the aircraft flies.
       procedure Stop;

@@ -40,7 +40,7 @@ package body Recorder_Tests is
 
    --  Each has words of its own.
    function Words_Of
-     (Sensors : Downlink_Buffer; Value : Word) return Frame_Words
+     (Sensors : Downlink_Buffer; Value : Word) return Recorded_Words
    is
      ((Sensors => (Sensors with delta Alpha => Value), others => <>));
 
