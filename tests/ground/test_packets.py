@@ -128,7 +128,7 @@ def test_gnd1_the_second_version_begins_as_the_first_does():
     assert third[8:len(second)] == second[8:]
 
 
-def test_fti9_a_packet_has_the_frame_of_the_downlink():
+def test_fti12_a_packet_has_the_frame_of_the_downlink():
     words = some_frame(3).frame_words
     assert list(words) == list(packets.FRAME_WORDS)
     assert (words["number"], words["card"], words["throttle"]) == (

@@ -203,7 +203,7 @@ def expected(frame):
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("age", [0, 1, packets.NEVER])
 @pytest.mark.parametrize("version", [1, 2, 3])
-def test_gnd12_fti8_fti9_each_parameter_is_what_the_packet_says(
+def test_gnd12_fti8_fti12_each_parameter_is_what_the_packet_says(
         database, seed, age, version):
     frame = packet(seed, age, version)
     values, _ = database.decoded(frame.encode())

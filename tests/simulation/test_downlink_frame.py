@@ -63,7 +63,7 @@ def disturbed(request, tmp_path_factory):
     return request.param, flight, rows
 
 
-def test_fti9_the_number_is_that_of_the_frame_of_the_scan(disturbed):
+def test_fti12_the_number_is_that_of_the_frame_of_the_scan(disturbed):
     name, flight, rows = disturbed
     frame_of = {words: place for place, words in enumerate(rows)}
     found, first = [], None
@@ -92,7 +92,7 @@ def test_fti9_the_number_is_that_of_the_frame_of_the_scan(disturbed):
     assert read(flight).lost_frames >= len(lost) > 50
 
 
-def test_fti9_servo_words_are_those_at_the_servos(disturbed):
+def test_fti12_servo_words_are_those_at_the_servos(disturbed):
     name, flight, _ = disturbed
     rows = flight.rows
     for place, row in enumerate(rows[5:], 5):
@@ -107,7 +107,7 @@ def test_fti9_servo_words_are_those_at_the_servos(disturbed):
 
 
 @pytest.mark.parametrize("name", ["report", "fast", "sealed"])
-def test_fti9_the_running_card_and_its_phase_come_down(tmp_path, name):
+def test_fti12_the_running_card_and_its_phase_come_down(tmp_path, name):
     folder = tmp_path / "f"
     folder.mkdir()
     options = {"report": (), "fast": ("--schedule", "fast"),
@@ -135,7 +135,7 @@ def test_fti9_the_running_card_and_its_phase_come_down(tmp_path, name):
 
 @pytest.mark.parametrize(("schedule", "before_ms", "after_ms"), [
     ("report", -1, 1), ("fast", 3, 4)])
-def test_fti9_samples_have_the_times_that_the_page_gives(
+def test_fti12_samples_have_the_times_that_the_page_gives(
         tmp_path, schedule, before_ms, after_ms):
     begin = 50 * FRAME_MS
     for at, seen in ((begin + before_ms, 50), (begin + after_ms, 51)):
@@ -169,7 +169,7 @@ def record_of(tmp_path, rows):
     return flights.read(path, lambda record: None)
 
 
-def test_fti9_gaps_of_any_length_are_exact(tmp_path):
+def test_fti12_gaps_of_any_length_are_exact(tmp_path):
     at, rows, wanted = 4_000, [(4_000, 4_000)], [4_000]
     for lost in (*range(256), 4_094, 4_095, 4_096, 10_000, 50_000):
         at += lost + 1
@@ -184,7 +184,7 @@ def test_fti9_gaps_of_any_length_are_exact(tmp_path):
     assert flight.lost_frames == wanted[-1] - wanted[0] + 1 - len(wanted)
 
 
-def test_fti9_a_start_of_the_aircraft_begins_a_new_count(tmp_path):
+def test_fti12_a_start_of_the_aircraft_begins_a_new_count(tmp_path):
     flight = record_of(tmp_path, [
         (100, 3_000), (101, 3_001), (102, None), (130, 5), (131, 6)])
     frames = flight.aircraft_frames
@@ -192,7 +192,7 @@ def test_fti9_a_start_of_the_aircraft_begins_a_new_count(tmp_path):
     assert numpy.isnan(frames[2])
 
 
-def test_fti9_without_numbers_there_are_no_frames(tmp_path):
+def test_fti12_without_numbers_there_are_no_frames(tmp_path):
     flight = record_of(tmp_path, [(1, UNKNOWN), (2, UNKNOWN)])
     assert flight.aircraft_frames is None
     assert flight.lost_frames is None
