@@ -87,6 +87,21 @@ package body Theorems.Seals with SPARK_Mode is
       pragma Assert
         ((Block (1) and 16#0F#)
            = Byte (Word_At (Data, Words_Of (Sender)) mod 16));
+      if Sender = Aircraft then
+         pragma Assert (Block (Before_Counter + 1) = Card_Of (Data));
+         pragma Assert
+           (Word (Card_Of (Data)) / 16
+              = URV.Spare_Bits.Spare_Of (Word_At (Data, Card_Place)));
+         pragma Assert
+           (Word (Card_Of (Data)) mod 16
+              = URV.Spare_Bits.Spare_Of (Word_At (Data, Phase_Place)));
+         pragma Assert
+           (for all Where in Byte_Index range 2 .. 4 =>
+              Block (Before_Counter + Where) = Byte_Of (Number, Where));
+         pragma Assert
+           (Spare_In_Format_2 (Block, Which) =
+              Spare_Carried (Data, Number, Which));
+      end if;
    end Words_Come_Through;
 
    --  The number and the echo of a downlink are those with which it was

@@ -52,10 +52,11 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    is
      (if Which = 1 then URV.Spare_Bits.No_Servos_Mark
       elsif Which = First_Number_Place
-      then Word (Number / 2 ** 8 mod 2 ** 4)
+      then Word (Byte_Of (Number, 3)) mod 16
       elsif Which = Second_Number_Place
-      then Word (Number / 2 ** 4 mod 2 ** 4)
-      elsif Which = Third_Number_Place then Word (Number mod 2 ** 4)
+      then Word (Byte_Of (Number, 4)) / 16
+      elsif Which = Third_Number_Place
+      then Word (Byte_Of (Number, 4)) mod 16
       elsif Which in Card_Place | Phase_Place
       then URV.Spare_Bits.Spare_Of (Word_At (Data, Which))
       else 0)

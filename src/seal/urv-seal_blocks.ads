@@ -221,15 +221,15 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
    is
      (if Which = 1 then Spare_Bits.No_Servos_Mark
       elsif Which = First_Number_Place
-      then Word (Block (Before_Counter + 3) and 15)
+      then Word (Block (Before_Counter + 3)) mod 16
       elsif Which = Second_Number_Place
-      then Word (Block (Before_Counter + 4) / 16)
+      then Word (Block (Before_Counter + 4)) / 16
       elsif Which = Third_Number_Place
-      then Word (Block (Before_Counter + 4) and 15)
+      then Word (Block (Before_Counter + 4)) mod 16
       elsif Which = Card_Place
-      then Word (Block (Before_Counter + 1) / 16)
+      then Word (Block (Before_Counter + 1)) / 16
       elsif Which = Phase_Place
-      then Word (Block (Before_Counter + 1) and 15)
+      then Word (Block (Before_Counter + 1)) mod 16
       else 0)
    with Global => null;
 
