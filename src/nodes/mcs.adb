@@ -94,8 +94,9 @@ package body MCS with SPARK_Mode is
    end Reset_Variables;
 
    procedure Restart_Variables is
-      Kept : constant URV.LAW_Steps.Kept :=
-        URV.LAW_Steps.Restarted (Law_Memory.Contents);
+      Before : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
+      Kept   : constant URV.LAW_Steps.Kept :=
+        URV.LAW_Steps.Restarted (Before);
    begin
       AD_Board.Initialise;
       Status.Write (No_Error);

@@ -1,17 +1,19 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URVOS;            use URVOS;
-with URV.Errors;       use URV.Errors;
-with URV.MDCOUT_Steps; use URV.MDCOUT_Steps;
-with URV.Routing;      use URV.Routing;
+with Devices.PWM_Board; use Devices.PWM_Board;
+with URVOS;             use URVOS;
+with URV.Errors;        use URV.Errors;
+with URV.MDCOUT_Steps;  use URV.MDCOUT_Steps;
+with URV.Routing;       use URV.Routing;
 
 package body URV.MDCOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction (Now : Clock_Tick) is
-      Bits    : constant Word := Node_Status.Contents;
-      Frame   : constant Frame_Words :=
-        Frame_Of
-          (Now, Schedule.Contents, Card_Shown.Contents, PWM_Board.Contents);
+      Bits    : constant Word          := Node_Status.Contents;
+      Set     : constant Schedule_Name := Schedule.Contents;
+      Card    : constant Word          := Card_Shown.Contents;
+      Area    : constant Data_Area     := PWM_Board.Contents;
+      Frame   : constant Frame_Words   := Frame_Of (Now, Set, Card, Area);
       Unknown : constant Unknown_Count := First_Unknown_Sensor (Codes);
       Image   : AD_Image;
       Message : Downlink_Buffer;
