@@ -168,10 +168,10 @@ class Peer:
             self.bad += 1
             return False
         self.received_at.append(time.monotonic())
-        self.received.append(tuple(
-            int.from_bytes(block[i:i + 2], "big")
-            for i in range(1, length - 1, 2)
-        ))
+        *words, last = (int.from_bytes(block[i:i + 2], "big")
+                        for i in range(1, length - 1, 2))
+        # A sensor's spare bits have the frame of the downlink (FTI-9).
+        self.received.append((*(word & 0xFFF for word in words), last))
         return True
 
 

@@ -160,9 +160,10 @@ def test_sec3_the_wire_is_what_the_page_says(flights):
 
 
 def test_sec1_format_1_is_as_ever(flights):
-    """Words of two bytes, and no block of it looks sealed."""
+    """Words of two bytes, and no block of it looks sealed: commands have 12
+    bits, a downlink the mark of its frame above them (D-98)."""
     for way, block in blocks_of(flights[1]):
-        assert block[0] < 0x10
+        assert block[0] >> 4 == {"up": 0, "down": 5}[way]
         assert len(block) == 2 * WORDS[way]
 
 
