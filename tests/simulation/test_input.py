@@ -61,7 +61,8 @@ OPTIONS = ("--seconds", "--plant", "--sticks", "--pilot", "--sensors",
            "--faults", "--conditions", "--orders", "--seed", "--phase",
            "--drift", "--lock", "--line-delay", "--schedule", "--processors",
            "--laws", "--orbit-after", "--terminate-after", "--format", "--key",
-           "--record", "--summary", "--wire", "--events", "--pace", "--quiet")
+           "--recorder", "--record", "--recording", "--fetched", "--summary",
+           "--wire", "--events", "--pace", "--quiet")
 
 COMMAND_LINES = [
     ([], "no command; there are fly, items, numbers, tables, help, --version"),
@@ -378,7 +379,8 @@ def test_long_and_foreign_file_name_is_said_whole(refused, write):
 
 # --- files that cannot be written -----------------------------------------
 
-@pytest.mark.parametrize("option", ["--record", "--summary", "--wire",
+@pytest.mark.parametrize("option", ["--record", "--recording",
+                                    "--fetched", "--summary", "--wire",
                                     "--events"])
 def test_output_in_a_missing_folder(refused, option):
     outputs = dict(zip(ALL_OUTPUTS[::2], ALL_OUTPUTS[1::2], strict=True))
@@ -411,7 +413,8 @@ def test_what_existed_stays_when_input_is_bad(refused, write):
     refused("fly", "--sticks", "sticks.csv", *ALL_OUTPUTS)
 
 
-@pytest.mark.parametrize("option", ["--record", "--summary", "--wire",
+@pytest.mark.parametrize("option", ["--record", "--recording",
+                                    "--fetched", "--summary", "--wire",
                                     "--events"])
 @pytest.mark.parametrize("target", ["precious", "elsewhere.csv"])
 def test_sec15_an_output_follows_no_link(
