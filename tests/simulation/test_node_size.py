@@ -20,7 +20,10 @@ def judged(monkeypatch, capsys):
     """The exit status for nodes with so much data and bss, and what is
     said."""
 
-    def judge(**sizes):
+    def judge(recorder=0, **sizes):
+        monkeypatch.setattr(
+            node_size, "recorder_size",
+            lambda objects: recorder if objects[0].stem == "mcs" else 0)
         monkeypatch.setattr(node_size, "build", lambda node: None)
         monkeypatch.setattr(
             node_size, "closure", lambda node: [node_size.OBJECTS / node])
@@ -31,6 +34,13 @@ def judged(monkeypatch, capsys):
         return node_size.main(), capsys.readouterr().out
 
     return judge
+
+
+def test_the_recorder_s_rows_are_the_target_s_choice(judged):
+    result, said = judged(recorder=2 * LIMIT, mcs=(10, 20 + 2 * LIMIT),
+                          gsc=(30, 40))
+    assert result == 0
+    assert f"30 bytes of static data (10 data, 20 bss) of {LIMIT}," in said
 
 
 @pytest.mark.parametrize("mcs, gsc, status", [
