@@ -2,6 +2,7 @@
 
 with Devices.PWM_Board; use Devices.PWM_Board;
 with URVOS;             use URVOS;
+with URVOS.Task_Trees;  use URVOS.Task_Trees;
 with URV.Errors;        use URV.Errors;
 with URV.MDCOUT_Steps;  use URV.MDCOUT_Steps;
 with URV.Routing;       use URV.Routing;
