@@ -4,7 +4,7 @@
 # Builds a node's image for a bare machine (BRD-1).
 #
 #   targets/build.sh cortex_m|mc68000 mcs|gsc
-#   targets/build.sh mc68000 telemetry_board
+#   targets/build.sh mc68000 telemetry_board|exploration
 #
 # The image is obj/targets/MACHINE/NODE.bin, with the program's sum in its last
 # four bytes. NODE.elf has the symbols.
@@ -40,14 +40,17 @@ case $machine in
       exit 2 ;;
 esac
 
-# The telemetry board of the MC68000 is a processor of its own (BRD-8).
+# The telemetry board of the MC68000 is a processor of its own. Its operations
+# are explored (BRD-8).
 assembler=
 case $machine-$node in
    *-mcs|*-gsc) ;;
-   mc68000-telemetry_board) assembler=-Wa,--defsym,TELEMETRY_BOARD=1 ;;
+   mc68000-telemetry_board | mc68000-exploration)
+      folders="$folders targets/mc68000/exploration"
+      assembler=-Wa,--defsym,TELEMETRY_BOARD=1 ;;
    *)
       echo "targets/build.sh: no program of $machine: $node; there are: mcs," \
-           "gsc, and telemetry_board of mc68000" >&2
+           "gsc; and telemetry_board and exploration of mc68000" >&2
       exit 2 ;;
 esac
 

@@ -1,8 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: Apache-2.0
 
-# Builds the emulated board of the MC68000, obj/targets/mc68000/board, from
-# board.c and the Musashi that scripts/setup.sh has fetched (D-84).
+# Builds the emulated boards of the MC68000, obj/targets/mc68000/board, from
+# board.c, and obj/targets/mc68000/explore from explore.c (BRD-8), with the
+# Musashi that scripts/setup.sh has fetched (D-84).
 
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
@@ -16,7 +17,9 @@ if [ ! -f "$archive" ]; then
 fi
 mkdir -p "$folder"
 cd "$folder"
-if [ board -nt "$here/board.c" ] && [ board -nt "$here/configuration.h" ]
+explore=$here/../exploration/explore.c
+if [ explore -nt "$here/board.c" ] && [ explore -nt "$explore" ] &&
+   [ explore -nt "$here/configuration.h" ]
 then
    exit 0
 fi
@@ -32,6 +35,10 @@ for source in m68kcpu.c m68kops.c softfloat/softfloat.c; do
    # shellcheck disable=SC2086 # a list of options
    gcc -w -c $options -I"$here" -I. -Isoftfloat "$source"
 done
-# shellcheck disable=SC2086
-gcc -Wall -Wextra -Werror $options -I"$here" -I. "$here/board.c" \
-   m68kcpu.o m68kops.o softfloat.o -lm -o ../board
+for program in board explore; do
+   source=$here/board.c
+   [ $program = board ] || source=$explore
+   # shellcheck disable=SC2086
+   gcc -Wall -Wextra -Werror $options -I"$here" -I. "$source" \
+      m68kcpu.o m68kops.o softfloat.o -lm -o ../$program
+done
