@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The memory of the flight recorder (FTI-9), in rows of 144 bytes. Small
---  targets have a file of their own in the place of this one.
+--  The memory of the flight recorder (FTI-9), in rows of about 160
+--  bytes. Small targets have a file of their own in the place of this one.
 
 package URV.Recorder_Sizes with Pure, SPARK_Mode is
 

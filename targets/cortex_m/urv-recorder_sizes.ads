@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The memory of the flight recorder (FTI-9), in rows of 144 bytes, in the
---  64 KiB of RAM (image.ld).
+--  The memory of the flight recorder (FTI-9), in rows of about 150
+--  bytes, in the 64 KiB of RAM (image.ld).
 
 package URV.Recorder_Sizes with Pure, SPARK_Mode is
 

@@ -153,6 +153,18 @@ def test_fti9_a_row_has_the_words_of_its_frame(tmp_path):
         assert found, place
 
 
+def test_fti9_a_flight_has_the_same_bytes_with_any_recorder(tmp_path):
+    faults = ("1000 up ber 0.001 4000\n1000 down ber 0.001 4000\n"
+              "2500 mcs reset warm\n3500 cut 1000\n")
+    options = ("--seconds", "6", "--laws", "on")
+    flights_ = [fetch(tmp_path / f"{length}", *options, faults=faults,
+                      length=length) for length in (0.02, 600)]
+    assert len(flights_[0].aboard) == len(flights_[1].aboard)
+    for name in ("record.csv", "wire.csv", "events.jsonl"):
+        one, other = (flight.path(name).read_bytes() for flight in flights_)
+        assert one == other, name
+
+
 def test_fti9_recorders_with_wrong_rows_are_reported(tmp_path):
     flight = fetch(tmp_path / "a", "--seconds", "3")
     path = tmp_path / "b.recording"

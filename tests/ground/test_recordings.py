@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: Apache-2.0
+"""FTI-10, FTI-11: rows of the flight recorder at the ground: blocks that are
+damaged, files that are not whole, and the packets."""
+
+import random
+
+import pytest
+
+from urv import (faults, flights, packets, recorder, recorder_blocks,
+                 recordings, records)
+
+
+def row_of(number, chance):
+    words = [number >> 16, number & 0xFFFF,
+             *(chance.randrange(65536) for _ in range(68))]
+    return (*words, *recordings.sums(words))
+
+
+def blocks_of(row):
+    """The four blocks, made independently of the aircraft's code."""
+    number = recordings.number_of(row)
+    for part in range(4):
+        bits = "".join(f"{word:016b}" for word in row[18 * part:18 * part + 18])
+        words = [part << 10 | number >> 12, number & 0xFFF,
+                 *(int(bits[at:at + 12], 2) for at in range(0, 288, 12))]
+        words.append(sum((2 * place + 1) * word
+                         for place, word in enumerate(words)) % 4096)
+        yield words
+
+
+@pytest.fixture
+def rows():
+    chance = random.Random(1)
+    return [row_of(number, chance) for number in
+            (0, 1, 4_095, 4_096, 70_000, 2 ** 22 - 1)]
+
+
+def test_fti10_rows_come_from_their_blocks_in_any_order(rows):
+    blocks = [block for row in rows for block in blocks_of(row)]
+    random.Random(2).shuffle(blocks)
+    found = recorder_blocks.Rows()
+    for block in blocks:
+        found.take(recorder_blocks.ROWS, block)
+    assert found.in_order() == rows
+
+
+def test_fti10_a_wrong_block_is_not_taken(rows):
+    """One wrong word in any place, with any wrong bit."""
+    row = rows[4]
+    for block in blocks_of(row):
+        for place in range(27):
+            for bit in range(12):
+                wrong = list(block)
+                wrong[place] ^= 1 << bit
+                found = recorder_blocks.Rows()
+                found.take(recorder_blocks.ROWS, wrong)
+                assert not found.parts and not found.rows
+
+
+def test_fti10_a_wrong_row_is_not_taken_and_asked_again(rows):
+    """Blocks that agree, of a row with a wrong word."""
+    words = list(rows[4])
+    words[20] ^= 1
+    found = recorder_blocks.Rows()
+    for block in blocks_of(words):
+        found.take(recorder_blocks.ROWS, block)
+    assert found.wrong == {70_000: 1}
+    assert found.missing(70_000, 70_001) == [70_000]
+    for block in blocks_of(rows[4]):
+        found.take(recorder_blocks.ROWS, block)
+    assert found.in_order() == [rows[4]]
+
+
+class Aircraft:
+    """Answers requests as the aircraft does, over a line that loses blocks."""
+
+    def __init__(self, rows, lost=0.0):
+        self.rows = {recordings.number_of(row): row for row in rows}
+        self.lost = lost
+        self.chance = random.Random(3)
+        self.waiting = []
+
+    def ask(self, first, many):
+        report = [0] * 27
+        oldest = min(self.rows)
+        for at, value in ((1, oldest), (3, len(self.rows)), (5, 99)):
+            report[at:at + 2] = value >> 12, value & 0xFFF
+        report[26] = sum((2 * place + 1) * word for place, word
+                         in enumerate(report[:26])) % 4096
+        self.waiting = [(recorder_blocks.REPORT, report)]
+        for number in range(max(first, oldest), max(first, oldest) + many):
+            if number in self.rows:
+                self.waiting += [(recorder_blocks.ROWS, block)
+                                 for block in blocks_of(self.rows[number])]
+
+    def block(self):
+        while self.waiting:
+            block = self.waiting.pop(0)
+            if self.chance.random() >= self.lost:
+                return block
+        return None
+
+
+@pytest.mark.parametrize("lost", [0.0, 0.3, 0.7])
+def test_fti10_lost_blocks_are_asked_for_again(lost):
+    chance = random.Random(4)
+    aboard = [row_of(number, chance) for number in range(4_000, 4_300)]
+    rows = recorder_blocks.Rows()
+    first, end, _ = recorder.fetched(Aircraft(aboard, lost), rows, None)
+    assert (first, end) == (4_000, 4_300)
+    assert rows.in_order() == aboard
+
+
+def test_fti10_only_the_newest_seconds():
+    chance = random.Random(4)
+    aboard = [row_of(number, chance) for number in range(300)]
+    rows = recorder_blocks.Rows()
+    recorder.fetched(Aircraft(aboard), rows, 1.0)
+    assert rows.in_order() == aboard[-50:]
+
+
+def test_fti10_a_row_that_is_wrong_aboard_is_named():
+    chance = random.Random(4)
+    aboard = [row_of(number, chance) for number in range(30)]
+    wrong = list(aboard[7])
+    wrong[9] ^= 4
+    aboard[7] = tuple(wrong)
+    rows = recorder_blocks.Rows()
+    first, end, reason = recorder.fetched(Aircraft(aboard), rows, None)
+    assert rows.missing(first, end) == [7]
+    assert reason == "their sums are wrong aboard"
+    assert recorder.named([7, 9, 10]) == "7, 9 to 10"
+
+
+def test_fti10_the_request_is_that_of_the_page():
+    words = recorder_blocks.request(70_000, 200)
+    assert words == (17, 368, 200, 4078, 3727, 3895,
+                     (17 + 3 * 368 + 5 * 200) % 4096, 0, 0, 0, 0, 0)
+    packet = packets.RequestPacket(5, 6, 7, words)
+    data = packet.encode()
+    assert (len(data), data[24:26]) == (50, b"\x07\x00")
+    assert packets.RequestPacket.decode(data) == packet
+    with pytest.raises(packets.PacketError):
+        packets.CardPacket.decode(data)
+
+
+def test_fti10_a_recorder_packet_is_checked():
+    data = bytes.fromhex("55525652 0001 0040 0700") + bytes(range(54))
+    kind, words = packets.decode_recorder(data)
+    assert (kind, len(words), words[1]) == (0x700, 27, 0x0203)
+    for wrong in (data[:-1], data + b"\0", b"X" + data[1:],
+                  data[:5] + b"\2" + data[6:], data[:8] + b"\6" + data[9:]):
+        with pytest.raises(packets.PacketError):
+            packets.decode_recorder(wrong)
+
+
+def test_fti11_a_recording_that_was_cut_short(tmp_path, rows):
+    path = tmp_path / "a.recording"
+    recordings.write(path, rows)
+    text = path.read_text("ascii")
+    for kept in range(1, 290):
+        path.write_text(text[:-kept], "ascii")
+        read = recordings.Recording(path)
+        assert read.rows == rows[:-1]
+        assert (read.cut_short is None) == (kept == 289)
+    path.write_text(text[:-5], "ascii")
+    with pytest.raises(faults.Refused, match="is not whole"):
+        with records.opened(path):
+            pass
+    with records.opened(path, forgiving=True) as record:
+        assert "is not whole" in record.cut_short
+
+
+def test_fti11_rows_after_a_cold_start_are_those_of_the_file(tmp_path, rows):
+    path = tmp_path / "a.recording"
+    recordings.write(path, rows)
+    path.write_text(path.read_text("ascii") + "urv recording 1\n"
+                    + recordings.line_of(rows[1]), "ascii")
+    assert recordings.Recording(path).rows == [rows[1]]
+
+
+def test_fti11_another_file_is_no_recording(tmp_path):
+    path = tmp_path / "a.recording"
+    path.write_text("frame,time_ms\n0,20\n", "ascii")
+    with pytest.raises(faults.Refused, match="not a recording"):
+        flights.read(path, lambda record: None)
