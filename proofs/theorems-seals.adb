@@ -90,12 +90,6 @@ package body Theorems.Seals with SPARK_Mode is
       if Sender = Aircraft then
          pragma Assert (Block (Before_Counter + 1) = Card_Of (Data));
          pragma Assert
-           (Word (Card_Of (Data)) / 16
-              = URV.Spare_Bits.Spare_Of (Word_At (Data, Card_Place)));
-         pragma Assert
-           (Word (Card_Of (Data)) mod 16
-              = URV.Spare_Bits.Spare_Of (Word_At (Data, Phase_Place)));
-         pragma Assert
            (for all Where in Byte_Index range 2 .. 4 =>
               Block (Before_Counter + Where) = Byte_Of (Number, Where));
          pragma Assert

@@ -34,7 +34,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
       Which  : Word_Place) return Word
    is
      (if Which < Words_Of (Sender) and then Sender = Ground
-      then Clipped (Word_At (Data, Which))
+      then URV.Spare_Bits.Clipped (Word_At (Data, Which))
       elsif Which < Words_Of (Sender)
       then URV.Spare_Bits.Without_Spare (Word_At (Data, Which))
       elsif Sender = Ground then Word_At (Data, Which) mod 16
@@ -43,23 +43,18 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      Global => null,
      Pre    => Which <= Words_Of (Sender);
 
-   --  The spare bits of a received sensor's word (FTI-12): a mark, the number
-   --  of the block, and the sent card and phase.
+   --  The spare bits of a received sensor's word (FTI-12): a mark, the low 12
+   --  bits of the block's number, and the sent card and phase.
    function Spare_Carried
      (Data   : Block_Data;
       Number : Counter;
       Which  : Word_Place) return URV.Spare_Bits.Nibble
    is
-     (if Which = 1 then URV.Spare_Bits.No_Servos_Mark
-      elsif Which = First_Number_Place
-      then Word (Byte_Of (Number, 3)) mod 16
-      elsif Which = Second_Number_Place
-      then Word (Byte_Of (Number, 4)) / 16
-      elsif Which = Third_Number_Place
-      then Word (Byte_Of (Number, 4)) mod 16
-      elsif Which in Card_Place | Phase_Place
-      then URV.Spare_Bits.Spare_Of (Word_At (Data, Which))
-      else 0)
+     (URV.Spare_Bits.Sealed_With
+        (Number => Word (Byte_Of (Number, 3)) * 256
+                     + Word (Byte_Of (Number, 4)),
+         Card   => Word (Card_Of (Data)),
+         Place  => Positive (Which)))
    with Global => null;
 
    procedure Words_Come_Through

@@ -100,6 +100,24 @@ package URV.Spare_Bits with Pure, SPARK_Mode is
          when others                 => 0)
    with Global => null;
 
+   --  The same of a sealed block, by the word's place in it, from 1: the low
+   --  12 bits of its number, and its card's byte, the card above its phase
+
+   Card_Place  : constant := Downlink_Item'Pos (Right_Aileron) + 1;
+   Phase_Place : constant := Downlink_Item'Pos (Left_Aileron) + 1;
+
+   function Sealed_With (Number, Card : Word; Place : Positive) return Nibble
+   is
+     (case Place is
+         when Downlink_Item'Pos (Right_Flap_1) + 1 => No_Servos_Mark,
+         when Downlink_Item'Pos (Left_Flap_1) + 1  => High (Number),
+         when Downlink_Item'Pos (Right_Flap_2) + 1 => Middle (Number),
+         when Downlink_Item'Pos (Left_Flap_2) + 1  => Low (Number),
+         when Card_Place                           => Middle (Card),
+         when Phase_Place                          => Low (Card),
+         when others                               => 0)
+   with Global => null;
+
    --  A downlink with its frame in the spare bits.
    function Packed (Source : Downlink_Buffer; Frame : Frame_Words)
                     return Downlink_Buffer

@@ -16,9 +16,7 @@
 --  field of a downlink (D-15). A command beyond 12 bits is sent as 0FFFh, the
 --  value that would reach a servo (D-11).
 --
---  A downlink's words lose their spare bits (URV.Spare_Bits). The card's byte
---  has the running card and its phase. The receiver gets them, and the number
---  as that of the frame, in the spare bits again (D-98).
+--  The receiver makes a downlink's spare bits of its number and card (D-98).
 --
 --  The number is the session's frame in which the sender sealed the block. The
 --  echo is the number of the newest block that the sender had taken by then.
@@ -28,12 +26,11 @@
 --  format 1 the high half of the first byte is 0, unless a converter gives
 --  more than 12 bits.
 
-with Interfaces;   use Interfaces;
-with Telemetry;    use Telemetry;
-with URVOS;        use URVOS;
-with URV.Buffers;  use URV.Buffers;
-with URV.Sip_Hash; use URV.Sip_Hash;
-with URV.Spare_Bits;
+with Interfaces;     use Interfaces;
+with Telemetry;      use Telemetry;
+with URVOS;          use URVOS;
+with URV.Sip_Hash;   use URV.Sip_Hash;
+with URV.Spare_Bits; use URV.Spare_Bits;
 
 package URV.Seal_Blocks with Pure, SPARK_Mode is
 
@@ -99,30 +96,16 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
 
    subtype Field is Word range 0 .. 16#FFF#;
 
-   function Clipped (Value : Word) return Field is
-     (Word'Min (Value, Field'Last))
-   with Global => null;
-
-   --  The words of format 1 whose spare bits have a downlink's number, the
-   --  running card and its phase.
-
-   First_Number_Place  : constant Word_Place :=
-     Downlink_Item'Pos (Left_Flap_1) + 1;
-   Second_Number_Place : constant Word_Place :=
-     Downlink_Item'Pos (Right_Flap_2) + 1;
-   Third_Number_Place  : constant Word_Place :=
-     Downlink_Item'Pos (Left_Flap_2) + 1;
-
-   Card_Place  : constant Word_Place :=
-     Downlink_Item'Pos (Right_Aileron) + 1;
-   Phase_Place : constant Word_Place :=
-     Downlink_Item'Pos (Left_Aileron) + 1;
-
    --  The running card and its phase in one byte.
    function Card_Of (Data : Block_Data) return Byte is
-     (Byte (Spare_Bits.Spare_Of (Word_At (Data, Card_Place))) * 16
-      + Byte (Spare_Bits.Spare_Of (Word_At (Data, Phase_Place))))
-   with Global => null;
+     (Byte (Spare_Of (Word_At (Data, Card_Place))) * 16
+      + Byte (Spare_Of (Word_At (Data, Phase_Place))))
+   with
+     Global => null,
+     Post   =>
+       Middle (Word (Card_Of'Result)) = Spare_Of (Word_At (Data, Card_Place))
+       and then
+         Low (Word (Card_Of'Result)) = Spare_Of (Word_At (Data, Phase_Place));
 
    --  The last field of an uplink: the number's remainder and the echo's code.
    --  The code is also a remainder, or No_Echo
@@ -145,9 +128,8 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
       Which  : Word_Place) return Field
    is
      (if Which < Words_Of (Sender)
-      then
-        (if Sender = Ground then Clipped (Word_At (Data, Which))
-         else Spare_Bits.Without_Spare (Word_At (Data, Which)))
+      then (if Sender = Ground then Clipped (Word_At (Data, Which))
+            else Without_Spare (Word_At (Data, Which)))
       elsif Sender = Ground
       then Word (Number mod Number_Modulus) * Number_Modulus + Code_Of (Echo)
       else Word_At (Data, Which) / 16)
@@ -217,20 +199,13 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
 
    --  The spare bits of a downlink's word in format 1.
    function Spare_In_Format_2 (Block : Block_Data; Which : Word_Place)
-                               return Spare_Bits.Nibble
+                               return Nibble
    is
-     (if Which = 1 then Spare_Bits.No_Servos_Mark
-      elsif Which = First_Number_Place
-      then Word (Block (Before_Counter + 3)) mod 16
-      elsif Which = Second_Number_Place
-      then Word (Block (Before_Counter + 4)) / 16
-      elsif Which = Third_Number_Place
-      then Word (Block (Before_Counter + 4)) mod 16
-      elsif Which = Card_Place
-      then Word (Block (Before_Counter + 1)) / 16
-      elsif Which = Phase_Place
-      then Word (Block (Before_Counter + 1)) mod 16
-      else 0)
+     (Sealed_With
+        (Number => Word (Block (Before_Counter + 3)) * 256
+                     + Word (Block (Before_Counter + 4)),
+         Card   => Word (Block (Before_Counter + 1)),
+         Place  => Positive (Which)))
    with Global => null;
 
    --  A word of a block in format 2.
@@ -243,7 +218,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
       then
         (if Sender = Ground then Field_At (Block, Which)
          else Field_At (Block, Which)
-           or Spare_In_Format_2 (Block, Which) * Spare_Bits.Spare_Unit)
+           or Spare_In_Format_2 (Block, Which) * Spare_Unit)
       elsif Sender = Ground then Word (Block (1) and 16#0F#)
       else Field_At (Block, Which) * 16 + Word (Block (1) and 16#0F#))
    with
