@@ -22,7 +22,7 @@ case $machine in
       processor="-mthumb -mcpu=cortex-m4 -mfloat-abi=soft"
       switches="$processor -fno-pie -fno-pic"
       folders="targets/cortex_m targets/cortex_m/netduinoplus2
-               targets/drivers/stm32_usart"
+               targets/drivers/stm32_usart targets/drivers/stm32_watchdog"
       rom_size=114688 ;;
    mc68000)
       prefix=m68k-linux-gnu-

@@ -16,6 +16,8 @@ with MC68681.Timers;
 with Simulated_Line;   use Simulated_Line;
 with STM32_USART.Channels;
 with STM32_USART.Registers;
+with STM32_Watchdog.Registers;
+with STM32_Watchdog.Timers;
 with URVOS;            use URVOS;
 
 procedure Test_Chips is
@@ -301,6 +303,48 @@ procedure Test_Chips is
       pragma Assert (Refused and then State (STM32_USART.Line).Last_Sent = 77);
    end Send_To_USART;
 
+   --  The STM32's watchdog
+
+   procedure Start_Watchdog;
+   procedure Feed_Watchdog;
+
+   procedure Start_Watchdog is
+      use STM32_Watchdog;
+      use STM32_Watchdog.Registers;
+      Reload  : constant Reload_Value := Timers.Reload_For (100);
+      Refused : Boolean := False;
+   begin
+      Begin_Plan ((0, 1, 0, 2, others => 0));
+      pragma Assert
+        (Timers.Least_Time (Reload) >= 100
+         and then Timers.Least_Time (Reload - 2) < 100
+         and then Timers.Greatest_Time (Reload) = 281);
+      begin
+         Write_Reload (Reload);
+      exception
+         when Assertion_Error => Refused := True;
+      end;
+      pragma Assert (Refused);
+      Timers.Start (Reload);
+      pragma Assert
+        (State.Runs
+         and then State.Divider = By_32
+         and then State.Reload = Reload
+         and then State.Feeds = 1);
+   end Start_Watchdog;
+
+   procedure Feed_Watchdog is
+      use STM32_Watchdog;
+      use STM32_Watchdog.Registers;
+      Before : constant Event_Number := State.Feeds with Ghost;
+   begin
+      Begin_Plan (No_Events);
+      for Number in Event_Number range 1 .. 3 loop
+         Timers.Feed;
+         pragma Assert (State.Feeds = Before + Number and then State.Runs);
+      end loop;
+   end Feed_Watchdog;
+
 begin
    Run ("MC68681: set up while characters arrive", Set_Up_DUART'Access);
    Run ("MC68681: characters between any two accesses",
@@ -315,5 +359,9 @@ begin
         Receive_From_USART'Access);
    Run ("STM32 USART: a character is given only to a free sender",
         Send_To_USART'Access);
+   Run ("STM32 watchdog: started with its time, and locked",
+        Start_Watchdog'Access);
+   Run ("STM32 watchdog: each feed begins its time again",
+        Feed_Watchdog'Access);
    Set_Exit_Status (if All_Passed then Success else Failure);
 end Test_Chips;

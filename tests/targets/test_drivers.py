@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-6: the drivers of the serial chips, beside simulated chips on a host, and
+"""BRD-6: the drivers of the chips, beside simulated chips on a host, and
 their proof."""
 
 import shutil
@@ -20,7 +20,9 @@ TESTS = [
     "MC68681: a timer's count and interrupts",
     "STM32 USART: set up while characters arrive",
     "STM32 USART: characters between any two accesses",
-    "STM32 USART: a character is given only to a free sender"]
+    "STM32 USART: a character is given only to a free sender",
+    "STM32 watchdog: started with its time, and locked",
+    "STM32 watchdog: each feed begins its time again"]
 
 
 def built(folder):
@@ -40,7 +42,7 @@ def failed_tests(program):
     return failed
 
 
-def test_brd6_the_drivers_report_each_event_once():
+def test_brd6_brd7_the_drivers_report_each_event_once():
     assert failed_tests(built(bare.ROOT)) == set()
 
 
@@ -72,8 +74,15 @@ def copy(tmp_path_factory):
      "if Status.Received then", TESTS[6]),
     ("stm32_usart/stm32_usart-channels.adb",
      "         Result.Overrun := Status.Overrun;\n", "", TESTS[6]),
+    ("stm32_watchdog/stm32_watchdog-timers.adb",
+     "      Write_Key (Unlock);\n", "", TESTS[8]),
+    ("stm32_watchdog/stm32_watchdog-timers.adb",
+     "   procedure Feed is\n   begin\n"
+     "      Write_Key (STM32_Watchdog.Feed);\n",
+     "   procedure Feed is\n   begin\n      Write_Key (Unlock);\n", TESTS[9]),
 ], ids=["overrun reset unseen", "mode pointer", "framing", "period unseen",
-        "overrun alone", "overrun not reported"])
+        "overrun alone", "overrun not reported", "watchdog locked",
+        "watchdog not fed"])
 def test_brd6_d92_a_planted_fault_of_a_driver_is_found(
         copy, name, text, planted, found):
     path = copy / "targets/drivers" / name

@@ -18,6 +18,7 @@ with Stack_Marks;
 with STM32_USART;          use STM32_USART;
 with STM32_USART.Channels; use STM32_USART.Channels;
 with STM32_USART.Registers;
+with STM32_Watchdog.Timers;
 with Tapes;                use Tapes;
 
 package body Targets is
@@ -73,6 +74,12 @@ package body Targets is
 
    --  The time of SysTick's present period, and of the next one.
    Has_Begun : Boolean     := False;
+
+   --  The watchdog was started since the last reset of the chip, which stops
+   --  it. It leaves the program at least 100 ms.
+   Watchdog_Runs   : Boolean := False;
+   Watchdog_Reload : constant STM32_Watchdog.Reload_Value :=
+     STM32_Watchdog.Timers.Reload_For (100);
    Now       : Unsigned_32 := 0;
    Then_Time : Unsigned_32 := 0;
 
@@ -157,6 +164,7 @@ package body Targets is
         (Console, (Port_On | Sender_On => True, others => False));
       Set_Up (Line, Cycles_Per_Bit, Interrupt => True);
       System_Priorities := SysTick_Last;
+      Watchdog_Runs := False;
       if not Has_Begun then
          Next_Tick := (1 + Tape.Lag) * Tick_Period;
          Configure (Tape.Flags, Tape.Line_Delay);
@@ -386,8 +394,16 @@ package body Targets is
       Is_Converting := True;
    end Convert;
 
-   --  QEMU has no watchdog here.
-   procedure Feed_Watchdog is null;
+   --  QEMU ignores the watchdog's registers.
+   procedure Feed_Watchdog is
+   begin
+      if Watchdog_Runs then
+         STM32_Watchdog.Timers.Feed;
+      else
+         STM32_Watchdog.Timers.Start (Watchdog_Reload);
+         Watchdog_Runs := True;
+      end if;
+   end Feed_Watchdog;
 
    procedure Write_Servos (Area : Devices.PWM_Board.Data_Area) is
    begin
