@@ -85,13 +85,20 @@ optimise="$optimise -fno-delete-null-pointer-checks"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatw.V -gnatwe -gnatyg -gnatyM79 -g"
 
 # Both nodes share the objects, which are made again with other switches.
-stamp="$stamp $language $listing $optimise"
+stamp="$stamp $language $listing $optimise -O3 telemetry"
 if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
    rm -rf objects
    mkdir objects
    echo "$stamp" >objects/stamp
 fi
 cd objects
+# The telemetry board's software runs at each character: it is built for speed.
+for each in boards receivers shared_boards; do
+   # shellcheck disable=SC2086
+   "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \
+      --RTS=../runtime $include "$up/src/telemetry/telemetry-$each.adb" \
+      -cargs $language $listing $optimise -O3 $switches
+done
 # shellcheck disable=SC2086
 "${prefix}gnatmake-12" -q -c -j0 --GCC="${prefix}gcc-12" \
    --RTS=../runtime $include "${node}_image.adb" \

@@ -2,9 +2,39 @@
 
 package body URVOS.Schedulers with SPARK_Mode is
 
+   --  The same for the ready queue, which is searched several times in each
+   --  minor frame.
+   function First_Ready (S : Scheduler) return TCB_Count
+   with
+     Global => null,
+     Post   => Is_Head (S, Ready, First_Ready'Result);
+
+   function First_Ready (S : Scheduler) return TCB_Count is
+      Head : TCB_Count := No_TCB;
+   begin
+      for Which in TCB_Number loop
+         pragma Assert
+           (for all Other in TCB_Number =>
+              (if Other /= Which
+               then Is_Ahead (S, Other, Which) /= Is_Ahead (S, Which, Other)));
+         if S.TCBs (Which).Id /= No_Task
+           and then S.TCBs (Which).Ready_At <= S.Clock
+           and then Which /= S.Running
+           and then (Head = No_TCB or else Is_Ahead (S, Which, Head))
+         then
+            Head := Which;
+         end if;
+         pragma Loop_Invariant (Is_Head (S, Ready, Head, Which));
+      end loop;
+      return Head;
+   end First_Ready;
+
    function Head_Of (S : Scheduler; Queue : Queue_Name) return TCB_Count is
       Head : TCB_Count := No_TCB;
    begin
+      if Queue = Ready then
+         return First_Ready (S);
+      end if;
       for Which in TCB_Number loop
          pragma Assert
            (for all Other in TCB_Number =>

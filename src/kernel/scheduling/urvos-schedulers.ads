@@ -20,6 +20,7 @@ with URVOS.Task_Trees; use URVOS.Task_Trees;
 
 package URVOS.Schedulers with Pure, SPARK_Mode is
 
+   --  32 bytes, so that a processor finds one by a shift.
    type Task_Control_Block is record
       Release     : Tick     := 0;        --  the next, or the last
       Ready_At    : Tick     := 0;        --  later than now: it sleeps
@@ -35,6 +36,12 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
          (Task_Control_Block.Priority = 0
           and then Task_Control_Block.Ready_At = 0);
 
+   for Task_Control_Block use record
+      Release     at  0 range 0 .. 63;  Ready_At  at  8 range 0 .. 63;
+      Id          at 16 range 0 .. 31;  Priority  at 20 range 0 .. 31;
+      New_Release at 24 range 0 .. 31;  First_Run at 28 range 0 .. 31;
+   end record;
+
    Free_TCB : constant Task_Control_Block := (others => <>);
 
    --  At first all TCBs are free, and the clock is 0.
@@ -42,8 +49,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
 
    --  The state of a scheduler
 
-   function TCB
-     (S : Scheduler; Which : TCB_Number) return Task_Control_Block
+   function TCB (S : Scheduler; Which : TCB_Number) return Task_Control_Block
    with Global => null;
 
    --  The latest time that the scheduler was given.
@@ -147,8 +153,7 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
    with Global => null;
 
    --  Gives the first free TCB to the task of a header.
-   function After_Load
-     (S : Scheduler; Header : Task_Header) return Scheduler
+   function After_Load (S : Scheduler; Header : Task_Header) return Scheduler
    with
      Ghost,
      Global => null,
@@ -221,8 +226,7 @@ private
        Scheduler.Running = No_TCB
        or else Scheduler.TCBs (Scheduler.Running).Id /= No_Task;
 
-   function TCB
-     (S : Scheduler; Which : TCB_Number) return Task_Control_Block
+   function TCB (S : Scheduler; Which : TCB_Number) return Task_Control_Block
    is (S.TCBs (Which));
 
    function Clock (S : Scheduler) return Clock_Tick is (S.Clock);
@@ -275,9 +279,7 @@ private
          Running  => Which,
          Overruns => (if Is_Late (S, Which) then Incremented (S.Overruns)
                       else S.Overruns)))
-   with
-     Ghost,
-     Pre => S.TCBs (Which).Id /= No_Task;
+   with Ghost, Pre => S.TCBs (Which).Id /= No_Task;
 
    --  The TCB of a newly loaded task.
    function Loaded
@@ -289,8 +291,7 @@ private
        Priority    => Header.Initial_Priority,
        New_Release => True,
        First_Run   => True))
-   with
-     Pre => Header.Id /= No_Task;
+   with Pre => Header.Id /= No_Task;
 
    --  The TCB of a sleeping task.
    function Slept
@@ -302,8 +303,7 @@ private
          Release | Ready_At => Tick'Max (Until_Tick, Now + 1),
          New_Release        => True,
          First_Run          => False))
-   with
-     Pre => Item.Id /= No_Task;
+   with Pre => Item.Id /= No_Task;
 
    function Loaded_Tree (Tree : Task_Tree; Now : Clock_Tick) return Scheduler
    is
@@ -314,8 +314,7 @@ private
        Clock  => Now,
        others => <>));
 
-   function After_Load
-     (S : Scheduler; Header : Task_Header) return Scheduler
+   function After_Load (S : Scheduler; Header : Task_Header) return Scheduler
    is
      (Queued
         (S, Head_Of (S, Free), Loaded (Header, S.Clock),
