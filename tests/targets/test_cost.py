@@ -41,7 +41,7 @@ def test_brd5_no_task_needs_more_than_4_kib_of_stack():
     baseline = json.loads(cost.BASELINE.read_text())
     stacks = {name: value for name, value in baseline.items()
               if " stack of " in name}
-    assert len(stacks) == 36
+    assert len(stacks) >= 36
     assert {name: value for name, value in stacks.items()
             if value > 4_096} == {}
 
