@@ -92,8 +92,8 @@ def test_gnd15_mcap_is_read_by_others(convert, spoilt):
                   in reader.get_summary().channels.values()}
         assert topics == {
             "/frame", "/console", "/gsc/uplink", "/mcs/uplink", "/pwm",
-            "/mcs/downlink", "/gsc/downlink", "/link", "/truth",
-            "/laws"}
+            "/mcs/downlink", "/gsc/downlink", "/mcs/frame", "/gsc/frame",
+            "/link", "/truth", "/laws"}
         for _, channel, message, decoded in reader.iter_decoded_messages():
             row = rows[message.sequence]
             assert message.log_time == int(row["time_ms"]) * 1_000_000
