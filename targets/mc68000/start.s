@@ -68,8 +68,8 @@ urv_reset:
 	jeq	4f
 
 	.ifndef	TELEMETRY_BOARD
-	| Power up: take the dual-ported memory from the telemetry board. What it
-	| is doing there ends before the variables have their first values.
+	| Power up: take the dual-ported memory from the telemetry board. Any
+	| operation of the board ends before the variables have their first values.
 	clr.l	urv_board_ready
 	.endif
 

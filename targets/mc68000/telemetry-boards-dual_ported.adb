@@ -122,10 +122,13 @@ package body Telemetry.Boards.Dual_Ported is
    end Claim_By_Controller;
 
    procedure Initialise (First : Board; Time : Round_Trip_Time) is
+      Unused_Claimed : Boolean;
    begin
+      Claim (Unused_Claimed);
       Shared := First;
       Set_Round_Trip (Shared, Time);
       News := 0;
+      Release;
    end Initialise;
 
    procedure Make_Ready is

@@ -18,7 +18,8 @@ package Telemetry.Boards.Dual_Ported is
    --  Starts
 
    --  At the controller's power up: start.s has taken the memory from the
-   --  board and released the lock.
+   --  board and released the lock. A controller that restarts before its clock
+   --  has begun initialises again, and the board may use the memory then.
    procedure Initialise (First : Board; Time : Round_Trip_Time);
 
    --  The board's processor may use the memory from now on.

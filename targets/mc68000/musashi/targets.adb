@@ -98,10 +98,10 @@ package body Targets is
       MC68681.Registers.Write_Command (Console, Switch_On_Sender);
       Converter.Vector := Board_Word (Devices.AD_Board.Interrupt_Vector);
       Converter.Interrupt := 1;
+      Telemetry.Boards.Dual_Ported.Recover;
       if not Has_Begun then
          Configure (Emulator.Flags, Emulator.Line_Delay);
       end if;
-      Telemetry.Boards.Dual_Ported.Recover;
       if Kept (3) > 0 then
          Put ("restarts");
          Put_Labelled ("count", Kept (3));
