@@ -47,7 +47,8 @@ package URV.Recorder_Steps with Pure, SPARK_Mode is
       Has_Flown : Boolean       := False;
       On_Ground : Ground_Frames := 0;
       Is_Asked  : Boolean       := False;
-   end record;
+   end record
+   with Alignment => 2;
 
    function Is_Recording (This : Watch) return Boolean is
      (not This.Is_Asked
