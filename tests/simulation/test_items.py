@@ -114,12 +114,16 @@ def test_the_record_has_these_columns(fly):
         f"{way}_{count}" for way in ("uplink", "downlink")
         for count in ("sent", "received", "bad", "scrapped")
     ]
+    frame = ["number", "card", "phase", "left_aileron", "right_aileron",
+             "left_elevator", "right_elevator", "left_rudder",
+             "right_rudder", "throttle"]
     wanted = ["frame", "time_ms"]
     for group, names in (
         ("console", COMMANDS), ("gsc.uplink", uplink),
         ("mcs.uplink", uplink), ("pwm", SERVOS),
         ("mcs.downlink", downlink), ("gsc.downlink", downlink),
         ("link", [*link, "gsc_resets", "mcs_resets"]),
+        ("mcs.frame", frame), ("gsc.frame", frame),
     ):
         wanted += [f"{group}.{name}" for name in names]
     assert record == wanted

@@ -422,6 +422,10 @@ def test_a_character_that_nobody_read_spoils_the_next(outputs):
     spoilt = "200 up flip 32 100"
     stalled, both, one = (outputs(*faults) for faults in (
         [stall], [lost, spoilt], [lost]))
-    counts = [output[0].splitlines()[-1].split(b",")[-10:]
-              for output in (stalled, both, one)]
+    counts = [
+        [count for name, count in zip(
+            lines[0].split(b","), lines[-1].split(b","), strict=True)
+         if name.startswith(b"link.")]
+        for lines in (output[0].splitlines()
+                      for output in (stalled, both, one))]
     assert counts[0] == counts[1] != counts[2]
