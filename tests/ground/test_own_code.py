@@ -199,8 +199,6 @@ def test_sec10_a_worker_looks_for_modules_elsewhere(hostile, monkeypatch):
     from urv import cargo
 
     monkeypatch.chdir(hostile)
-    for name, value in SURROUNDINGS[0].items():
-        monkeypatch.setenv(name, value)
     monkeypatch.delenv("PYTHONPATH", raising=False)
     cargo.Cargo(b"", None, modules=("json", "jsbsim")).must_do()
     assert marks(hostile) == []
