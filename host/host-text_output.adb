@@ -111,8 +111,8 @@ package body Host.Text_Output is
       Length : constant Long_Long_Integer :=
         To.Length + Long_Long_Integer (To.Last);
    begin
-      --  Who reads the file before it is shortened sees blanks, not the rest
-      --  of the previous version.
+      --  Until the file is shortened, blanks replace the rest of the previous
+      --  version.
       for Blank in Length + 1 .. To.Longest loop
          exit when Is_Lost (To);
          Put (To, ' ');

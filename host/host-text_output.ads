@@ -92,8 +92,8 @@ package Host.Text_Output is
    procedure Flush (To : in out Writer)
      with Pre => Is_Open (To);
 
-   --  FTI-11: waits until what was written is on the disk. Nothing happens if
-   --  the output has no disk.
+   --  Waits until the written text is on the disk (FTI-11). An output that is
+   --  no file on a disk, such as a pipe, needs no wait.
    procedure Synchronise (To : in out Writer);
 
    --  True if the file can be rewritten from its beginning.

@@ -53,7 +53,8 @@ package body Partitions.Recorder_Answers is
       Port  : File;
       Where : Socket_Address;
       Long  : unsigned;
-      Sent  : Byte_Total;
+
+      Unused_Sent : Byte_Total;
    begin
       Asker.Read (Port, Where, Long);
       if Port = Invalid then
@@ -68,10 +69,9 @@ package body Partitions.Recorder_Answers is
       end loop;
 
       --  A datagram that is lost is asked for again.
-      Sent := Send_To
+      Unused_Sent := Send_To
         (Port, Bytes'Address, Bytes'Length, Dont_Wait + No_Signal,
          Where'Address, Long);
-      pragma Unreferenced (Sent);
    end Send;
 
    function Is_Flying return Boolean is

@@ -42,10 +42,10 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
    end record;
 
    type Row is record
-      Number   : Row_Number  := 0;
+      Number   : Row_Number     := 0;
       Words    : Recorded_Words := (others => <>);
-      Sum      : Word        := 0;
-      Partials : Word        := 0;
+      Sum      : Word           := 0;
+      Partials : Word           := 0;
    end record;
 
    --  The words of a row by their places

@@ -65,8 +65,8 @@ package URV.Recorder_Steps with Pure, SPARK_Mode is
       else This)
    with Global => null;
 
-   --  What goes down: the report, then the quarters of each row; a frame with
-   --  sensors follows each row.
+   --  The aircraft sends the report, then the quarters of each row. A frame
+   --  with sensors follows each row.
 
    type Turn is (Idle, Report, Quarter, Sensors_Turn);
 

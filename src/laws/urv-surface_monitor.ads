@@ -198,14 +198,6 @@ package URV.Surface_Monitor with Pure, SPARK_Mode is
      Global => null,
      Post   => This = With_None_Sent (This'Old);
 
-   --  The engine was checked; its throttle gets Power in this frame.
-   function With_Engine
-     (This : Monitor; Engine : Engine_Monitor.Monitor; Power : Lever)
-      return Monitor
-   is
-     ((This with delta Engine => Engine, Power => Power))
-   with Global => null;
-
    --  After unmonitored frames: each surface may be anywhere; known failures
    --  remain.
    function Restarted (This : Monitor) return Monitor is

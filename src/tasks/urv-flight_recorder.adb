@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Devices.PWM_Board;
+with URVOS;             use URVOS;
 with URVOS.Frames;      use URVOS.Frames;
 with URV.Card_Status;
 with URV.CORE_Layout;   use URV.CORE_Layout;
@@ -11,7 +12,6 @@ with URV.Law_Status;    use URV.Law_Status;
 with URV.PWM_Layout;
 with URV.Recorder_Rows; use URV.Recorder_Rows;
 with URV.Surface_Monitor;
-with URVOS;             use URVOS;
 
 package body URV.Flight_Recorder with SPARK_Mode is
 

@@ -23,7 +23,10 @@ with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;
 with URV.PWM_Transform;
 with URV.Test_Inputs;     use URV.Test_Inputs;
-with URV.Test_Runs;       use type URV.Test_Runs.Answer;
+with URV.Test_Runs;
+use type URV.Test_Runs.Answer;
+use type URV.Test_Runs.Card_Deck;
+use type URV.Test_Runs.Run;
 with URV.Type_Codes;      use URV.Type_Codes;
 
 package URV.LAW_Steps with Pure, SPARK_Mode is
@@ -134,6 +137,16 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       else Test_Runs.Taken)
    with Global => null;
 
+   --  Only a card's block changes the cards.
+   function Deck_After
+     (Before : Kept; Usual : Settings; Got : Inputs)
+      return Test_Runs.Card_Deck
+   is
+     (if Has_Card (Got)
+      then Test_Runs.After_Block (Got.Block, Before.Cards, Usual.On).Deck
+      else Before.Cards.Deck)
+   with Global => null, Ghost;
+
    --  Control laws
 
    --  With the laws off, new commands pass unchanged. A law that flies marks
@@ -223,7 +236,11 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
      Global => null,
      Pre    => not Result.By_Card,
      Post   =>
-       Result.Is_Sent = Result.Is_Sent'Old
+       Cards.Run =
+         Test_Runs.Next
+           (Cards'Old.Run, Cards'Old.Deck, Sight_Of (Flown, Watched, Got))
+       and then Cards.Deck = Cards'Old.Deck
+       and then Result.Is_Sent = Result.Is_Sent'Old
        and then Result.By_Law = Result.By_Law'Old
        and then
          (if Result.By_Card then not Is_Cut (Flown, Got)
@@ -276,6 +293,7 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
          (if not Result.Flown.By_Law then Result.Reported.Failed = None)
        and then
          (if not Usual.On then This.Watched = This.Watched'Old)
+       and then This.Cards.Deck = Deck_After (This'Old, Usual, Got)
 
        --  Without a card nothing is added. A card begins only when new
        --  commands have switch 5 on.

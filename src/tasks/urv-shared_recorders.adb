@@ -32,8 +32,6 @@ package body URV.Shared_Recorders with SPARK_Mode is
 
       function Contents return Ring is (Kept);
 
-      function State return Watch is (Phase);
-
       function Row_At (Number : Row_Number) return Row is
         (if Is_Held (Kept, Number) then Rows (Place_Of (Kept, Number))
          else (others => <>));

@@ -27,9 +27,7 @@ package URV.Shared_Recorders with SPARK_Mode is
 
       function Contents return Ring;
 
-      function State return Watch;
-
-      --  The row of that number, if it is held; else No_Row.
+      --  The row of that number, if it is held; else a row of zeros.
       function Row_At (Number : Row_Number) return Row;
 
    private

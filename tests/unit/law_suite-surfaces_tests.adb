@@ -524,7 +524,7 @@ package body Surfaces_Tests is
         ("bit of the throttle",
          Integer
            (Failed_Bits
-              (With_Engine ((others => <>), Engine.Watch, Power => 0))),
+              (Monitor'(Engine => Engine.Watch, others => <>))),
          1_024);
    end Engine_Unknown;
 
