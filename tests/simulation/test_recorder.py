@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """FTI-9, FTI-10: the flight recorder aboard, and its rows on the ground."""
 
+import json
 import sys
 
 import pytest
@@ -9,6 +10,7 @@ from conftest import FRAMES_PER_S, ROOT, fly_in
 sys.path.insert(0, str(ROOT / "ground"))
 
 from urv import flights, recorder_blocks, recordings  # noqa: E402
+from urv.tables import TABLES  # noqa: E402
 
 LANDS_MS = 4_000
 ASKS_MS = 6_000
@@ -34,7 +36,7 @@ def fetch(folder, *options, orders="", faults="", changes=(LANDS_MS,),
           length=2):
     folder.mkdir(exist_ok=True)
     for name, text in (("orders", orders), ("faults", faults),
-                       ("sensors", sensors(*changes))):
+                       ("sensors", sensors(*changes) if changes else "")):
         if text:
             (folder / name).write_text(text, encoding="ascii")
             options = [*options, f"--{name}", name]
@@ -151,6 +153,42 @@ def test_fti9_a_row_has_the_words_of_its_frame(tmp_path):
         found = [at for at in range(place - 2, place + 4) if all(
             flight.record[name][at] == row[name] for name in words)]
         assert found, place
+
+
+def test_fti9_a_row_has_the_laws_report_and_the_last_error(tmp_path):
+    """With a failed surface and a lost link, so that no word is 0."""
+    (tmp_path / "sticks").write_text(
+        "time_ms,switch2\n500,4095\n", "ascii")
+    flight = fetch(
+        tmp_path, "--plant", "jsbsim", "--seconds", "9", "--sticks", "sticks",
+        faults="2000 surface left_elevator stuck 1500\n7000 cut 2000\n",
+        changes=None)
+    names = [f"laws.{name}" for name in (
+        "lateral", "vertical", "power", "link", "invalid_low",
+        "invalid_high", "silent", "failed")]
+    rows = [recordings.columns_of(row) for row in flight.aboard]
+    own = [tuple(row[name] for name in names) for row in rows]
+    seen = set(zip(*(flight.record[name] for name in names), strict=True))
+    assert {modes[-1] for modes in own} > {0}
+    assert max(modes[-2] for modes in own) > 50
+    assert seen - set(own) == set()
+
+    kinds = [TABLES["error_kinds"][row["recorder.last_error"] - 1]
+             for row in rows if row["recorder.errors"] > 0]
+    logged = [json.loads(line) for line in
+              flight.path("events.jsonl").read_text("utf-8").splitlines()]
+    assert set(kinds) <= {event["kind"] for event in logged
+                          if event["node"] == "mcs"}
+    assert "surface_failed" in kinds
+
+
+def test_fti10_a_request_stops_the_recorder(tmp_path):
+    """Earlier than the second after a landing, here of a flight of a frame."""
+    flight = fetch(tmp_path / "a", "--seconds", "4",
+                   orders=order(400, 0, 5), changes=(20,))
+    assert flight.fetched.in_order() == flight.aboard[:5]
+    last = recordings.columns_of(flight.aboard[-1])
+    assert last["time_ms"] < 700
 
 
 def test_fti9_a_flight_has_the_same_bytes_with_any_recorder(tmp_path):
