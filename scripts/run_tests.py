@@ -57,6 +57,10 @@ LIVE = ("arrivals", "console_losses", "door", "gamepads", "ground", "mavlink",
 # counts frames, not time. Those of the ground station have a browser.
 LIVE_AT_ONCE = {"real_time": "6", "ground": "6"}
 
+# A test that hangs fails after this time: the longest builds three programs and
+# flies them, in 3 min on an idle machine.
+LIMIT_S = "1200"
+
 # The other tests run one more than there are processors: some of them wait.
 ONE_MORE = str(len(os.sched_getaffinity(0)) + 1)
 
@@ -188,6 +192,7 @@ def python_tests(projects, name, without=(), at_once=ONE_MORE,
     report.unlink(missing_ok=True)
     pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
     pytest += ["-p", "test_lines"]
+    pytest += ["--timeout", LIMIT_S]
     pytest += ["-v", "-rs", "--tb=short", f"--junitxml={report}"]
     pytest += ["-n", at_once, "--dist", spread, "--no-loadscope-reorder"]
     # Folders of tests that passed go; they are 400 MB.

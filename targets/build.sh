@@ -57,6 +57,9 @@ esac
 folder=$root/obj/targets/$machine
 mkdir -p "$folder/$node"
 cd "$folder"
+# One build at a time: the nodes share objects.
+exec 9>lock
+flock 9
 
 # Rebuild the run-time system if the compiler, its switches or this system have
 # changed.
@@ -93,10 +96,11 @@ if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
 fi
 cd objects
 # The telemetry board's software runs at each character: it is built for speed.
+# These are names, not paths: a machine may have a body of its own.
 for each in boards receivers shared_boards; do
    # shellcheck disable=SC2086
    "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \
-      --RTS=../runtime $include "$up/src/telemetry/telemetry-$each.adb" \
+      --RTS=../runtime $include "telemetry-$each.adb" \
       -cargs $language $listing $optimise -O3 $switches
 done
 # shellcheck disable=SC2086

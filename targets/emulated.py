@@ -15,6 +15,7 @@ import csv
 import random
 import struct
 import subprocess
+import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -133,6 +134,11 @@ class Run:
         return self.rows[frame][UPLINK + DOWNLINK + STATUS:]
 
 
+# The longest time of an emulated flight. It takes 10 to 20 s on a machine that
+# has nothing else to do.
+LIMIT_S = 300
+
+
 class Machine:
     """A bare machine in its emulator. Each has name, prefix of its compiler,
     quantum and delay of a joined flight's line, and start."""
@@ -145,7 +151,7 @@ class Machine:
         subprocess.run([ROOT / "targets" / "build.sh", self.name, node],
                        check=True)
 
-    def fly(self, tapes, folder, images=None, limit_s=1_200):
+    def fly(self, tapes, folder, images=None, limit_s=LIMIT_S):
         """Runs the nodes of these tapes until their ends; Run of each by
         name. Two are joined by their serial lines."""
         folder = Path(folder)
@@ -219,6 +225,7 @@ class CortexM(Machine):
                 while not line.exists():
                     if running.poll() is not None:
                         raise RuntimeError("QEMU has not begun")
+                    time.sleep(0.01)
             yield running
 
 

@@ -39,12 +39,13 @@ def flight(tmp_path_factory):
                   "--pilot", "standard", "--seconds", "60")
 
 
-def test_the_columns_are_the_last_ones(flight):
-    """But for those of the control laws."""
+def test_later_columns_come_after_those_of_the_truth(flight):
+    """Those of the control laws, then those of the frame's number."""
     names = list(flight.record)
+    first = names.index(NAMES[0])
     laws = [name for name in names if name.startswith("laws.")]
-    first = len(names) - len(laws) - len(NAMES)
-    assert names[first:] == NAMES + laws
+    frame = [name for name in names if ".frame." in name]
+    assert names[first:] == NAMES + laws + frame
     row = flight.path("record.csv").read_text().splitlines()[1000]
     decimals = [2, 2, 3, 3, 3, 3, 3, 2, 2]
     for value, count in zip(row.split(",")[first:first + len(NAMES)],

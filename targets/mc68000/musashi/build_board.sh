@@ -17,6 +17,9 @@ if [ ! -f "$archive" ]; then
 fi
 mkdir -p "$folder"
 cd "$folder"
+# One build at a time.
+exec 8>board_lock
+flock 8
 explore=$here/../exploration/explore.c
 if [ explore -nt "$here/board.c" ] && [ explore -nt "$explore" ] &&
    [ explore -nt "$here/configuration.h" ]
