@@ -20,14 +20,22 @@ package body Theorems.Data_Path with SPARK_Mode is
    is
       Sent : constant Downlink_Buffer :=
         URV.Spare_Bits.Packed (To_Downlink (Image), Frame);
+      Came : constant Downlink_Buffer :=
+        Downlink.Buffer_Of
+          (Decode
+             (Encode (Downlink.Words_Of (Sent), Downlink.Words),
+              Downlink.Words));
    begin
       Downlink.Round_Trip (Sent);
       Theorems.Spare_Bits.What_Is_Packed_Comes
         (To_Downlink (Image), Frame);
-      Theorems.Spare_Bits.Equal_Words_Have_Equal_Frames
-        (Downlink.Decode (Downlink.Encode (Sent)), Sent);
+      Theorems.Spare_Bits.Equal_Words_Have_Equal_Frames (Came, Sent);
+      pragma Assert
+        (for all Item in Downlink_Item =>
+           Received_Downlink (Image, Frame).Words (Item) =
+             URV.Spare_Bits.Sensors_In (Came) (Item));
       Theorems.Type_Codes.Into_CORE_By_Code
-        (Before, URV.Spare_Bits.Sensors_In (Sent));
+        (Before, Received_Downlink (Image, Frame).Words);
    end Sensors_Reach_CORE;
 
 end Theorems.Data_Path;

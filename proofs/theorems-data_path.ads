@@ -10,6 +10,7 @@ with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Codecs;        use URV.Codecs;
 with URV.CORE_Layout;   use URV.CORE_Layout;
+with URV.Plain_Blocks;  use URV.Plain_Blocks;
 with URV.PWM_Layout;    use URV.PWM_Layout;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Routing;       use URV.Routing;
@@ -19,7 +20,10 @@ package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
 
    --  The aircraft's decoded commands from an image of the ground's converter.
    function Received_Commands (Image : AD_Image) return Uplink_Buffer is
-     (Uplink.Decode (Uplink.Encode (To_Uplink (Image))));
+     (Uplink.Buffer_Of
+        (Decode
+           (Encode (Uplink.Words_Of (To_Uplink (Image)), Uplink.Words),
+            Uplink.Words)));
 
    --  The ground's decoded downlink from an image of the aircraft's converter
    --  with any frame in its spare bits (FTI-12).
@@ -27,9 +31,13 @@ package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
                                return Framed_Downlink
    is
      (URV.Spare_Bits.Unpacked
-        (Downlink.Decode
-           (Downlink.Encode
-              (URV.Spare_Bits.Packed (To_Downlink (Image), Frame)))));
+        (Downlink.Buffer_Of
+           (Decode
+              (Encode
+                 (Downlink.Words_Of
+                    (URV.Spare_Bits.Packed (To_Downlink (Image), Frame)),
+                  Downlink.Words),
+               Downlink.Words))));
 
    --  Every stick word of the ground's converter reaches the aircraft.
    procedure Commands_Arrive (Image : AD_Image)

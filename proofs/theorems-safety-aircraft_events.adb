@@ -111,11 +111,12 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
    begin
       if Came then
          Item.Kept := URV.Uplink_Input.Next
-           (Item.Kept, URV.Handshakes.Opened, Line.Blocks (Which).Data);
+           (Item.Kept, URV.Handshakes.Opened,
+            Decode (Line.Blocks (Which).Data, URV.Codecs.Uplink.Words));
          Item.Kept_From := Line.Blocks (Which).From;
          Same_Is_Sent
-           (URV.Codecs.Uplink.Decode (Line.Blocks (Which).Data),
-            Item.Kept.Buffer, Scans, Item.Kept_From);
+           (Received (Line.Blocks (Which)), Item.Kept.Buffer, Scans,
+            Item.Kept_From);
       else
          As_Old_Is_Sent (Item.Kept.Buffer, Scans, Item.Kept_From);
          Item.Kept := URV.Uplink_Input.Next

@@ -176,7 +176,8 @@ package body Theorems.Safety.Ground_Events with SPARK_Mode is
          URV.Codecs.Uplink.Round_Trip (Message);
          Line.Given := Line.Given + 1;
          Line.Blocks (Line.Given) :=
-           (Data => URV.Codecs.Uplink.Encode (Message),
+           (Data => Encode
+              (URV.Codecs.Uplink.Words_Of (Message), URV.Codecs.Uplink.Words),
             From => Item.TELOUT_From);
       end if;
       pragma Assert (Places_Are_Sound (Item, Scans));

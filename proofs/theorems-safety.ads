@@ -31,6 +31,7 @@ with URV.Laws;
 with URV.Link_Loss;     use URV.Link_Loss;
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.PWM_Layout;
+with URV.Plain_Blocks;  use URV.Plain_Blocks;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Routing;       use URV.Routing;
 with URV.Surfaces;      use type URV.Surfaces.Surface_Flags;
@@ -174,6 +175,13 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    is (Places_Are_Sound (Item, Scans))
    with Global => null;
 
+   --  The message of a block in format 1. Theorems.Sealed_Commands has the
+   --  seal and format 2.
+   function Received (Item : Block) return Uplink_Buffer is
+     (URV.Codecs.Uplink.Buffer_Of
+        (Decode (Item.Data, URV.Codecs.Uplink.Words)))
+   with Global => null;
+
    --  The line: all blocks ever given to it.
    type Line_Way is record
       Given  : Block_Count;
@@ -192,7 +200,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
         (for all Which in Block_Number =>
            (if Which <= Item.Given
             then Is_Sent
-              (URV.Codecs.Uplink.Decode (Item.Blocks (Which).Data), Scans,
+              (Received (Item.Blocks (Which)), Scans,
                Item.Blocks (Which).From))))
    with Global => null;
 

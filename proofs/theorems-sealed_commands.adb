@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Theorems.Seals;
-with URV.Codecs;
+with URV.Codecs;       use URV.Codecs;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Seals;       use URV.Seals;
 with URV.Sessions;    use URV.Sessions;
@@ -22,7 +23,7 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
 
    --  All words of a sealed block.
    procedure All_Words_Come_Through
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Number : Counter;
       Echo   : Counter;
       Inside : Session)
@@ -31,13 +32,11 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
      Post   =>
        (for all Which in Word_Place =>
           (if Which <= Uplink_Words
-           then Word_At
-             (Unpacked (Sealed (Data, Ground, Number, Echo, Inside), Ground),
-              Which) =
-             Theorems.Seals.Carried (Data, Ground, Which)));
+           then Unpacked (Sealed (Data, Ground, Number, Echo, Inside), Ground)
+             (Which) = Theorems.Seals.Carried (Data, Ground, Which)));
 
    procedure All_Words_Come_Through
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Number : Counter;
       Echo   : Counter;
       Inside : Session)
@@ -49,20 +48,11 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
          pragma Loop_Invariant
            (for all Which in Word_Place =>
               (if Which <= Last
-               then Word_At
-                 (Unpacked
-                    (Sealed (Data, Ground, Number, Echo, Inside), Ground),
-                  Which) =
-                 Theorems.Seals.Carried (Data, Ground, Which)));
+               then Unpacked
+                 (Sealed (Data, Ground, Number, Echo, Inside), Ground)
+                 (Which) = Theorems.Seals.Carried (Data, Ground, Which)));
       end loop;
    end All_Words_Come_Through;
-
-   --  The place of a word in a block.
-   function Place_Of (Name : Uplink_Item) return Word_Place is
-     (Uplink_Item'Pos (Name) + 1)
-   with
-     Global => null,
-     Post   => Place_Of'Result <= Uplink_Words;
 
    --  Equal blocks have equal words.
    procedure Same_Words (One, Other : Block_Data)
@@ -72,8 +62,8 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
      Post   =>
        (for all Which in Word_Place =>
           (if Which <= Uplink_Words
-           then Word_At (Unpacked (One, Ground), Which) =
-             Word_At (Unpacked (Other, Ground), Which)));
+           then Unpacked (One, Ground) (Which) =
+             Unpacked (Other, Ground) (Which)));
 
    procedure Same_Words (One, Other : Block_Data) is
    begin
@@ -83,46 +73,55 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
             then Field_At (One, Which) = Field_At (Other, Which)));
    end Same_Words;
 
+   procedure Same_Plain_Words (One, Other : Block_Data)
+   with
+     Global => null,
+     Pre    => One = Other,
+     Post   =>
+       (for all Which in Word_Place =>
+          Decode (One, Uplink_Words) (Which) =
+            Decode (Other, Uplink_Words) (Which));
+
+   procedure Same_Plain_Words (One, Other : Block_Data) is
+   begin
+      pragma Assert
+        (for all Where in Byte_Index => One (Where) = Other (Where));
+   end Same_Plain_Words;
+
    --  A received message.
    procedure Received_Is_Carried
-     (Message : Uplink_Buffer; Block : Block_Data; Format : Format_Number)
+     (Message : Uplink_Buffer; Words : Block_Words; Format : Format_Number)
    with
      Global => null,
      Pre    =>
        (for all Which in Word_Place =>
           (if Which <= Uplink_Words
-           then Word_At (Block, Which) =
-             (if Format = 1
-              then Word_At (URV.Codecs.Uplink.Encode (Message), Which)
+           then Words (Which) =
+             (if Format = 1 then Uplink.Words_Of (Message) (Which)
               else Theorems.Seals.Carried
-                (URV.Codecs.Uplink.Encode (Message), Ground, Which)))),
+                (Uplink.Words_Of (Message), Ground, Which)))),
      Post   =>
        (for all Name in Command_Item =>
-          URV.Codecs.Uplink.Decode (Block) (Name) =
-            Carried (Message (Name), Format))
+          Uplink.Buffer_Of (Words) (Name) = Carried (Message (Name), Format))
        and then
-         URV.Codecs.Uplink.Decode (Block) (Error_Status) =
+         Uplink.Buffer_Of (Words) (Error_Status) =
            (if Format = 1 then Message (Error_Status)
             else Message (Error_Status) mod 16);
 
    procedure Received_Is_Carried
-     (Message : Uplink_Buffer; Block : Block_Data; Format : Format_Number)
+     (Message : Uplink_Buffer; Words : Block_Words; Format : Format_Number)
    is
-      Sent : constant Block_Data := URV.Codecs.Uplink.Encode (Message);
+      Sent : constant Block_Words := Uplink.Words_Of (Message);
    begin
-      URV.Codecs.Uplink.Round_Trip (Message);
       pragma Assert
         (for all Name in Uplink_Item =>
-           Word_At (Sent, Place_Of (Name)) = Message (Name));
+           Sent (Uplink.Place (Name)) = Message (Name));
       pragma Assert
         (for all Name in Uplink_Item =>
-           Word_At (Block, Place_Of (Name)) =
-             (if Format = 1 then Word_At (Sent, Place_Of (Name))
-              else Theorems.Seals.Carried (Sent, Ground, Place_Of (Name))));
-      pragma Assert
-        (for all Name in Uplink_Item =>
-           URV.Codecs.Uplink.Decode (Block) (Name) =
-             Word_At (Block, Place_Of (Name)));
+           Words (Uplink.Place (Name)) =
+             (if Format = 1 then Sent (Uplink.Place (Name))
+              else Theorems.Seals.Carried
+                (Sent, Ground, Uplink.Place (Name))));
    end Received_Is_Carried;
 
    --  The servos' words are the same.
@@ -173,26 +172,32 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
    is
       Format : constant Format_Number := Opening.Format;
       Before : constant Seal := Renewed (Sending);
-      Sent   : constant Block_Data := URV.Codecs.Uplink.Encode (Message);
-      Data   : Block_Data := Sent;
+      Sent   : constant Block_Words := Uplink.Words_Of (Message);
       Line   : Block_Data;
+      Was    : constant Seal := Opening;
+      Words  : Block_Words;
    begin
-      Close (Sending, Data);
-      Line := Data;
+      Close (Sending, Sent, Line);
       pragma Assert (Before.Format = Format and then Before.Role = Ground);
       pragma Assert (Line = Closed (Before, Sent));
-      Open (Opening, Data, True, Result);
+      Open (Opening, Line, True, Words, Result);
       pragma Assert
         (Opening.Format = Format and then Opening.Role = Aircraft);
-      Kept := URV.Uplink_Input.Next (Kept, Result, Data);
+      Kept := URV.Uplink_Input.Next (Kept, Result, Words);
 
       if Result in Taken then
          if Format = 1 then
-            pragma Assert (Line = Sent);
-            pragma Assert (Data = Sent);
+            pragma Assert (Line = Encode (Sent, Uplink_Words));
+            pragma Assert (Words = Words_In (Was, Line));
             pragma Assert
               (for all Which in Word_Place =>
-                 Word_At (Data, Which) = Word_At (Sent, Which));
+                 Words (Which) = Decode (Line, Uplink_Words) (Which));
+            Same_Plain_Words (Line, Encode (Sent, Uplink_Words));
+            Round_Trip (Sent, Uplink_Words);
+            pragma Assert
+              (for all Which in Word_Place =>
+                 (if Which <= Uplink_Words
+                  then Words (Which) = Sent (Which)));
          else
             pragma Assert (Mark_Of (Line) = Sealed_Mark);
             A_Hello_Has_Its_Mark (Before);
@@ -202,7 +207,10 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
                  Sealed
                    (Sent, Ground, Before.Active.Age,
                     Echo_Now (Before.Active), Before.Active));
-            pragma Assert (Data = Unpacked (Line, Ground));
+            pragma Assert (Words = Words_In (Was, Line));
+            pragma Assert
+              (for all Which in Word_Place =>
+                 Words (Which) = Unpacked (Line, Ground) (Which));
             All_Words_Come_Through
               (Sent, Before.Active.Age, Echo_Now (Before.Active),
                Before.Active);
@@ -214,16 +222,11 @@ package body Theorems.Sealed_Commands with SPARK_Mode is
             pragma Assert
               (for all Which in Word_Place =>
                  (if Which <= Uplink_Words
-                  then Word_At (Data, Which) =
-                    Word_At (Unpacked (Line, Ground), Which)));
-            pragma Assert
-              (for all Which in Word_Place =>
-                 (if Which <= Uplink_Words
-                  then Word_At (Data, Which) =
+                  then Words (Which) =
                     Theorems.Seals.Carried (Sent, Ground, Which)));
          end if;
-         Received_Is_Carried (Message, Data, Format);
-         pragma Assert (Kept.Buffer = URV.Codecs.Uplink.Decode (Data));
+         Received_Is_Carried (Message, Words, Format);
+         pragma Assert (Kept.Buffer = Uplink.Buffer_Of (Words));
          Same_Flags (Kept.Buffer, Message);
          Same_Servos (Kept.Buffer, Message, Format);
       end if;

@@ -27,7 +27,7 @@ private package Theorems.Seals.Uplink_Numbers with SPARK_Mode, Ghost is
      Global => null,
      Pre    =>
        Field_At (Block, Uplink_Words) =
-         Field_Of (Block, Ground, Number, Echo, Uplink_Words)
+         Word (Number mod Number_Modulus) * Number_Modulus + Code_Of (Echo)
        and then Number <= Latest (Theirs)
        and then Latest (Theirs) - Number < Number_Modulus
        and then Echo <= Theirs.Age

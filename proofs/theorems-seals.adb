@@ -71,7 +71,7 @@ package body Theorems.Seals with SPARK_Mode is
    end Bytes_Determine;
 
    procedure Words_Come_Through
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Number : Counter;
       Echo   : Counter;
@@ -86,7 +86,7 @@ package body Theorems.Seals with SPARK_Mode is
       pragma Assert (Block (1) = Without (1));
       pragma Assert
         ((Block (1) and 16#0F#)
-           = Byte (Word_At (Data, Words_Of (Sender)) mod 16));
+           = Byte (Data (Words_Of (Sender)) mod 16));
       if Sender = Aircraft then
          pragma Assert (Block (Before_Counter + 1) = Card_Of (Data));
          pragma Assert
@@ -132,7 +132,7 @@ package body Theorems.Seals with SPARK_Mode is
    end Downlink_Determines;
 
    procedure A_Sealed_Block_Opens
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Number : Counter;
       Echo   : Counter;
@@ -163,20 +163,20 @@ package body Theorems.Seals with SPARK_Mode is
 
    procedure Nothing_Older_Is_Taken
      (Item    : in out URV.Handshakes.Seal;
-      Block   : in out Block_Data;
+      Block   : Block_Data;
       Arrived : Boolean;
+      Words   : out Block_Words;
       Result  : out Outcome)
    is
-      Was  : constant URV.Handshakes.Seal := Item;
-      Sent : constant Block_Data := Block;
+      Was : constant URV.Handshakes.Seal := Item;
    begin
-      Open (Item, Block, Arrived, Result);
+      Open (Item, Block, Arrived, Words, Result);
       if Result = Opened then
-         pragma Assert (Opens (Sent, Other (Was.Role), Was.Active));
+         pragma Assert (Opens (Block, Other (Was.Role), Was.Active));
          pragma Assert
-           (Item.Active = With_Newest (Was.Active, Sent, Other (Was.Role)));
+           (Item.Active = With_Newest (Was.Active, Block, Other (Was.Role)));
       elsif Result = Opened_New_Session then
-         pragma Assert (Opened_Place (Was, Sent) > 0);
+         pragma Assert (Opened_Place (Was, Block) > 0);
       end if;
    end Nothing_Older_Is_Taken;
 
@@ -199,10 +199,11 @@ package body Theorems.Seals with SPARK_Mode is
 
    procedure A_Call_Is_Answered
      (Item    : in out URV.Handshakes.Seal;
-      Call    : in out Block_Data;
+      Call    : Block_Data;
+      Words   : out Block_Words;
       Result  : out Outcome) is
    begin
-      Open (Item, Call, True, Result);
+      Open (Item, Call, True, Words, Result);
    end A_Call_Is_Answered;
 
    procedure Each_Answer_Has_Its_Turn
@@ -218,16 +219,16 @@ package body Theorems.Seals with SPARK_Mode is
 
    procedure A_Call_Displaces_The_Oldest
      (Item    : in out URV.Handshakes.Seal;
-      Call    : in out Block_Data;
+      Call    : Block_Data;
+      Words   : out Block_Words;
       Result  : out Outcome)
    is
-      Was  : constant URV.Handshakes.Seal := Item;
-      Sent : constant Block_Data := Call;
+      Was : constant URV.Handshakes.Seal := Item;
    begin
-      pragma Assert (Outcome_Of (Item, Sent, True) not in Taken);
-      Open (Item, Call, True, Result);
+      pragma Assert (Outcome_Of (Item, Call, True) not in Taken);
+      Open (Item, Call, True, Words, Result);
       if Result = Hello_Taken then
-         pragma Assert (Item = After_Hello (Was, Sent));
+         pragma Assert (Item = After_Hello (Was, Call));
       else
          pragma Assert (Item = Was);
       end if;
@@ -235,29 +236,32 @@ package body Theorems.Seals with SPARK_Mode is
 
    procedure A_Sealed_Block_Completes
      (Item   : in out URV.Handshakes.Seal;
-      Block  : in out Block_Data;
+      Block  : Block_Data;
       Which  : Pending_Place;
+      Words  : out Block_Words;
       Result : out Outcome) is
    begin
       pragma Assert
         (Opened_Place (Item, Block) in 1 .. Pending_Count (Which));
-      Open (Item, Block, True, Result);
+      Open (Item, Block, True, Words, Result);
    end A_Sealed_Block_Completes;
 
    procedure A_Refused_Block_Changes_Nothing
      (Item   : in out URV.Handshakes.Seal;
-      Block  : in out Block_Data;
+      Block  : Block_Data;
+      Words  : out Block_Words;
       Result : out Outcome) is
    begin
-      Open (Item, Block, True, Result);
+      Open (Item, Block, True, Words, Result);
    end A_Refused_Block_Changes_Nothing;
 
    procedure Own_Nonces_Are_Used_Once
      (Item   : in out URV.Handshakes.Seal;
-      Block  : in out Block_Data;
+      Block  : Block_Data;
+      Words  : out Block_Words;
       Result : out Outcome) is
    begin
-      Open (Item, Block, True, Result);
+      Open (Item, Block, True, Words, Result);
    end Own_Nonces_Are_Used_Once;
 
 end Theorems.Seals;

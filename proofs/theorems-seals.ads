@@ -18,6 +18,7 @@ with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Handshakes;  use URV.Handshakes;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 with URV.Seals;       use URV.Seals;
 with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
@@ -29,16 +30,16 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  sensor's word without spare bits; in the last word, an uplink has the
    --  flags and a downlink all bits (D-15).
    function Carried
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Which  : Word_Place) return Word
    is
      (if Which < Words_Of (Sender) and then Sender = Ground
-      then URV.Spare_Bits.Clipped (Word_At (Data, Which))
+      then URV.Spare_Bits.Clipped (Data (Which))
       elsif Which < Words_Of (Sender)
-      then URV.Spare_Bits.Without_Spare (Word_At (Data, Which))
-      elsif Sender = Ground then Word_At (Data, Which) mod 16
-      else Word_At (Data, Which))
+      then URV.Spare_Bits.Without_Spare (Data (Which))
+      elsif Sender = Ground then Data (Which) mod 16
+      else Data (Which))
    with
      Global => null,
      Pre    => Which <= Words_Of (Sender);
@@ -46,7 +47,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  The spare bits of a received sensor's word (FTI-12): a mark, the low 12
    --  bits of the block's number, and the sent card and phase.
    function Spare_Carried
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Number : Counter;
       Which  : Word_Place) return URV.Spare_Bits.Nibble
    is
@@ -58,7 +59,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    with Global => null;
 
    procedure Words_Come_Through
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Number : Counter;
       Echo   : Counter;
@@ -68,9 +69,8 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      Global => null,
      Pre    => Which <= Words_Of (Sender),
      Post   =>
-       Word_At
-         (Unpacked (Sealed (Data, Sender, Number, Echo, Inside), Sender),
-          Which) =
+       Unpacked (Sealed (Data, Sender, Number, Echo, Inside), Sender)
+         (Which) =
          (if Sender = Ground or else Which = Words_Of (Sender)
           then Carried (Data, Sender, Which)
           else Carried (Data, Sender, Which)
@@ -81,7 +81,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  taken, came in time, and has a number and echo among the latest that the
    --  receiver's clock allows.
    procedure A_Sealed_Block_Opens
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Number : Counter;
       Echo   : Counter;
@@ -111,8 +111,9 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  session has taken, and the session records it as newest.
    procedure Nothing_Older_Is_Taken
      (Item    : in out URV.Handshakes.Seal;
-      Block   : in out Block_Data;
+      Block   : Block_Data;
       Arrived : Boolean;
+      Words   : out Block_Words;
       Result  : out Outcome)
    with
      Global => null,
@@ -231,7 +232,8 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  A call is taken and answered.
    procedure A_Call_Is_Answered
      (Item    : in out URV.Handshakes.Seal;
-      Call    : in out Block_Data;
+      Call    : Block_Data;
+      Words   : out Block_Words;
       Result  : out Outcome)
    with
      Global => null,
@@ -242,10 +244,10 @@ package Theorems.Seals with SPARK_Mode, Ghost is
      Post   =>
        Result = Hello_Taken
        and then Is_Answered (Item.Pending (Item.Latest))
-       and then Item.Pending (Item.Latest).Number = Hello_Number (Call'Old)
+       and then Item.Pending (Item.Latest).Number = Hello_Number (Call)
        and then Item.Pending (Item.Latest).Aircraft_Nonce = Item'Old.Own
        and then Item.Pending (Item.Latest).Ground_Nonce =
-         Nonce_At (Call'Old, Own_Place);
+         Nonce_At (Call, Own_Place);
 
    --  Each answer has its turn: while the session in this place is to be
    --  answered, at least every fourth of the aircraft's hellos answers it
@@ -270,7 +272,8 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  fourth.
    procedure A_Call_Displaces_The_Oldest
      (Item    : in out URV.Handshakes.Seal;
-      Call    : in out Block_Data;
+      Call    : Block_Data;
+      Words   : out Block_Words;
       Result  : out Outcome)
    with
      Global => null,
@@ -288,8 +291,9 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  A sealed block of a pending session makes it the active session.
    procedure A_Sealed_Block_Completes
      (Item   : in out URV.Handshakes.Seal;
-      Block  : in out Block_Data;
+      Block  : Block_Data;
       Which  : Pending_Place;
+      Words  : out Block_Words;
       Result : out Outcome)
    with
      Global => null,
@@ -314,19 +318,21 @@ package Theorems.Seals with SPARK_Mode, Ghost is
    --  A refused block changes nothing.
    procedure A_Refused_Block_Changes_Nothing
      (Item   : in out URV.Handshakes.Seal;
-      Block  : in out Block_Data;
+      Block  : Block_Data;
+      Words  : out Block_Words;
       Result : out Outcome)
    with
      Global => null,
      Post   =>
        (if Result in Refused
         then Item = Item'Old
-          and then (for all Each of Block => Each = 0));
+          and then (for all Each of Words => Each = 0));
 
    --  A session begins with a nonce of this node that it does not use again.
    procedure Own_Nonces_Are_Used_Once
      (Item   : in out URV.Handshakes.Seal;
-      Block  : in out Block_Data;
+      Block  : Block_Data;
+      Words  : out Block_Words;
       Result : out Outcome)
    with
      Global => null,
@@ -335,7 +341,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
        (if Result = Hello_Taken and then Item.Role = Aircraft
         then Item.Own = Item.Own'Old + 1
           and then Item.Pending (Item.Latest).Aircraft_Nonce = Item.Own'Old
-        elsif Result = Hello_Taken and then Is_Answer (Item'Old, Block'Old)
+        elsif Result = Hello_Taken and then Is_Answer (Item'Old, Block)
         then Item.Own = Item.Own'Old + 1
           and then Item.Active.Ground_Nonce = Item.Own'Old
         else Item.Own = Item.Own'Old);

@@ -11,6 +11,7 @@ with URVOS.Task_Trees;  use URVOS.Task_Trees;
 with URV.Buffers;       use URV.Buffers;
 with URV.Codecs;
 with URV.MDCOUT_Steps;
+with URV.Plain_Blocks;
 with URV.Seal_Blocks;
 with URV.Spare_Bits;    use URV.Spare_Bits;
 
@@ -52,7 +53,9 @@ package Theorems.Spare_Bits with Pure, SPARK_Mode, Ghost is
      Global => null,
      Post   =>
        URV.Seal_Blocks.Mark_Of
-         (URV.Codecs.Downlink.Encode (Packed (Source, Frame)))
+         (URV.Plain_Blocks.Encode
+            (URV.Codecs.Downlink.Words_Of (Packed (Source, Frame)),
+             URV.Codecs.Downlink.Words))
          not in URV.Seal_Blocks.Sealed_Mark | URV.Seal_Blocks.Hello_Mark;
 
    --  A block of an older aircraft, whose words have 12 bits, has no frame,
@@ -71,7 +74,7 @@ package Theorems.Spare_Bits with Pure, SPARK_Mode, Ghost is
          (for all Item in Frame_Item =>
             Frame_In (Source) (Item) = Unknown_Word);
 
-   --  Equal words have equal frames.
+   --  Equal words have equal frames and sensors.
    procedure Equal_Words_Have_Equal_Frames (One, Other : Downlink_Buffer)
    with
      Global => null,
@@ -79,7 +82,10 @@ package Theorems.Spare_Bits with Pure, SPARK_Mode, Ghost is
        (for all Item in Downlink_Item => One (Item) = Other (Item)),
      Post   =>
        (for all Item in Frame_Item =>
-          Frame_In (One) (Item) = Frame_In (Other) (Item));
+          Frame_In (One) (Item) = Frame_In (Other) (Item))
+       and then
+         (for all Item in Downlink_Item =>
+            Sensors_In (One) (Item) = Sensors_In (Other) (Item));
 
    --  The difference of two numbers: the ground's count of frames from one to
    --  the other.

@@ -58,7 +58,7 @@ package body Canaries.Link with SPARK_Mode is
       procedure One_More_May_Be_Lost (Number, Most : Counter) is null;
 
       procedure All_Words_Come_Through
-        (Data : Block_Data; Number, Echo : Counter) is null;
+        (Data : Block_Words; Number, Echo : Counter) is null;
 
       procedure The_Newest_Opens_Again
         (Item : Session; Block : Block_Data) is null;

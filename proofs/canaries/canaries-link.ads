@@ -15,8 +15,8 @@ with Theorems.Latency;
 with Theorems.Link;
 with Theorems.Silence;
 with URV.Buffers;
-with URV.Codecs;
 with URV.PWM_Transform;
+with URV.Plain_Blocks;
 with URV.Seal_Blocks;
 with URV.Sessions;
 with URV.Sip_Hash;
@@ -143,6 +143,7 @@ package Canaries.Link with SPARK_Mode is
    package Seals with Ghost is
 
       use Telemetry;
+      use URV.Plain_Blocks;
       use URV.Seal_Blocks;
       use URV.Sessions;
       use URV.Sip_Hash;
@@ -162,13 +163,13 @@ package Canaries.Link with SPARK_Mode is
 
       --  False for words beyond 12 bits.
       procedure All_Words_Come_Through
-        (Data : Block_Data; Number, Echo : Counter)
+        (Data : Block_Words; Number, Echo : Counter)
       with
         Global => null,
         Post   =>
           Field_At  --  VC_POSTCONDITION
             (Packed (Data, Ground, Number, Echo), 3) =
-          Word_At (Data, 3);
+          Data (3);
 
       --  False for the newest block itself.
       procedure The_Newest_Opens_Again (Item : Session; Block : Block_Data)
@@ -221,7 +222,7 @@ package Canaries.Link with SPARK_Mode is
       use URV.Buffers;
       use URV.PWM_Transform;
 
-      use URV.Codecs.Uplink;
+      use URV.Plain_Blocks;
 
       --  False for words beyond 12 bits.
       procedure Roll_Reaches_The_Aileron (Commands : Uplink_Buffer)

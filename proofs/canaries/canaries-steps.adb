@@ -3,7 +3,7 @@
 package body Canaries.Steps with SPARK_Mode is
 
    procedure A_Stored_Message_Is_Old
-     (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
+     (Kept : Kept_Message; Result : Outcome; Words : Block_Words)
    is null;
 
    procedure The_Last_Commands_Are_Given

@@ -4,7 +4,6 @@
 --  Theorems.Safety needs the claim of the true decision, for which it is
 --  proved. It is false for the wrong one.
 
-with Telemetry;        use Telemetry;
 with URV.Buffers;      use URV.Buffers;
 with URV.Codecs;       use URV.Codecs;
 with URV.GDCOUT_Steps;
@@ -13,6 +12,7 @@ with URV.LAW_Steps;    use URV.LAW_Steps;
 with URV.Laws;         use URV.Laws;
 with URV.MDCIN_Steps;
 with URV.PWM_Steps;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 with URV.Routing;      use URV.Routing;
 with URV.Type_Codes;   use URV.Type_Codes;
 with URV.Uplink_Input; use URV.Uplink_Input;
@@ -21,22 +21,23 @@ with URVOS;            use URVOS;
 package Canaries.Steps with SPARK_Mode, Ghost is
 
    --  TELIN passes on the last message as a new one.
-   function As_New (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
-                    return Kept_Message
+   function As_New
+     (Kept : Kept_Message; Result : Outcome; Words : Block_Words)
+      return Kept_Message
    is (if Result in URV.Handshakes.Taken
-       then (Buffer => Uplink.Decode (Data), Has_Message => True)
+       then (Buffer => Uplink.Buffer_Of (Words), Has_Message => True)
        else Kept)
    with Global => null;
 
    procedure A_Stored_Message_Is_Old
-     (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
+     (Kept : Kept_Message; Result : Outcome; Words : Block_Words)
    with
      Global => null,
      Pre    => Result not in URV.Handshakes.Taken,
      Post   =>
-       Is_Old (Next (Kept, Result, Data).Buffer)
+       Is_Old (Next (Kept, Result, Words).Buffer)
        and then
-         Is_Old (As_New (Kept, Result, Data).Buffer);  --  VC_POSTCONDITION
+         Is_Old (As_New (Kept, Result, Words).Buffer);  --  VC_POSTCONDITION
 
    --  MDCIN passes on a block of another kind in place of the commands.
    function With_Item (Item : Uplink_Buffer; Fresh : Boolean)

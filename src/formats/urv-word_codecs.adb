@@ -2,51 +2,39 @@
 
 package body URV.Word_Codecs with SPARK_Mode is
 
-   function Encode (Source : Buffer) return Block_Data is
-      Result : Block_Data := (others => 0);
+   function Words_Of (Source : Buffer) return Block_Words is
+      Result : Block_Words := [others => 0];
    begin
-      for Which in Item loop
-         Result (Place (Which)) := High_Byte (Source (Which));
-         Result (Place (Which) + 1) := Low_Byte (Source (Which));
+      for Which in 1 .. Words loop
+         Result (Which) := Source (Item_At (Which));
 
          pragma Loop_Invariant
-           (for all Earlier in Item'First .. Which =>
-              Result (Place (Earlier)) = High_Byte (Source (Earlier))
-              and then Result (Place (Earlier) + 1) =
-                         Low_Byte (Source (Earlier)));
-         pragma Loop_Invariant
-           (for all I in Byte_Index =>
-              (if I > Block_Length then Result (I) = 0));
+           (for all Each in Word_Place =>
+              Result (Each) =
+                (if Each <= Which then Source (Item_At (Each)) else 0));
       end loop;
       return Result;
-   end Encode;
+   end Words_Of;
 
-   function Decode (Source : Block_Data) return Buffer is
-      Result : Buffer := (others => 0);
+   function Buffer_Of (Source : Block_Words) return Buffer is
+      Result : Buffer := [others => 0];
    begin
       for Which in Item loop
-         Result (Which) :=
-           To_Word (Source (Place (Which)), Source (Place (Which) + 1));
+         Result (Which) := Source (Place (Which));
 
          pragma Loop_Invariant
-           (for all Earlier in Item'First .. Which =>
-              Result (Earlier) =
-                To_Word (Source (Place (Earlier)),
-                         Source (Place (Earlier) + 1)));
+           (for all Each in Item'First .. Which =>
+              Result (Each) = Source (Place (Each)));
       end loop;
       return Result;
-   end Decode;
+   end Buffer_Of;
 
-   procedure Round_Trip (Source : Buffer) is null;
-
-   procedure Round_Trip_Of_Bytes (Source : Block_Data; I : Byte_Index) is
-      Which : constant Item :=
-        Item'Val (Item'Pos (Item'First) + (Integer (I) - 1) / 2);
+   procedure Round_Trip (Source : Buffer) is
    begin
+      Round_Trip (Words_Of (Source), Words);
       pragma Assert
-        (if I = Place (Which)
-         then Source (I) = Source (Place (Which))
-         else Source (I) = Source (Place (Which) + 1));
-   end Round_Trip_Of_Bytes;
+        (for all Which in Item =>
+           Words_Of (Source) (Place (Which)) = Source (Which));
+   end Round_Trip;
 
 end URV.Word_Codecs;

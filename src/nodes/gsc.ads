@@ -105,7 +105,7 @@ package GSC with SPARK_Mode is
 
    package TELOUT is new URV.TELOUT_Task
      (For_Uplink, TELOUT_Variable, Telemetry_Board, Sealing, Errors,
-      Uplink.Encode);
+      Uplink.Words_Of);
 
    package CORE is new URV.CORE_Task
      (Uplink_Variable, Downlink_Variable, CORE_Memory, Errors);

@@ -118,12 +118,13 @@ package body MCS with SPARK_Mode is
    end Restart_Variables;
 
    procedure Say_Refused is
-      Data      : Block_Data :=
-        Downlink.Encode
-          (Marked (Neutral_Downlink, URV.Buffers.Self_Test_Failed));
+      Data      : Block_Data;
       Overwrote : Boolean;
    begin
-      Sealing.Close (Data);
+      Sealing.Close
+        (Downlink.Words_Of
+           (Marked (Neutral_Downlink, URV.Buffers.Self_Test_Failed)),
+         Data);
       Telemetry_Board.Put (Data, Overwrote);
       if Overwrote then
          Errors.Report (TELOUT_Overwrote_Block, 0);

@@ -154,7 +154,7 @@ package MCS with SPARK_Mode is
 
    package TELOUT is new URV.TELOUT_Task
      (For_Downlink, TELOUT_Variable, Telemetry_Board, Sealing, Errors,
-      Downlink.Encode);
+      Downlink.Words_Of);
 
    package CORE is new URV.CORE_Task
      (Uplink_Variable, Downlink_Variable, CORE_Memory, Errors);

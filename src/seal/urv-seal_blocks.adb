@@ -3,7 +3,7 @@
 package body URV.Seal_Blocks with SPARK_Mode is
 
    function Packed
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Number : Counter;
       Echo   : Counter) return Block_Data
@@ -12,8 +12,7 @@ package body URV.Seal_Blocks with SPARK_Mode is
       First  : Field;
       Second : Field;
    begin
-      Result (1) :=
-        Sealed_Mark or Byte (Word_At (Data, Words_Of (Sender)) mod 16);
+      Result (1) := Sealed_Mark or Byte (Data (Words_Of (Sender)) mod 16);
 
       for Pair in Byte_Index range 1 .. (Words_Of (Sender) + 1) / 2 loop
          First := Field_Of (Data, Sender, Number, Echo, 2 * Pair - 1);
@@ -56,21 +55,19 @@ package body URV.Seal_Blocks with SPARK_Mode is
 
    function Unpacked
      (Block  : Block_Data;
-      Sender : Station) return Block_Data
+      Sender : Station) return Block_Words
    is
-      Result : Block_Data := [others => 0];
-      Value  : Word;
+      Result : Block_Words := [others => 0];
    begin
       for Which in Word_Place range 1 .. Words_Of (Sender) loop
-         Value := Word_In_Format_2 (Block, Sender, Which);
-         Result (2 * Which - 1) := Byte (Value / 256);
-         Result (2 * Which) := Byte (Value mod 256);
+         Result (Which) := Word_In_Format_2 (Block, Sender, Which);
 
          pragma Loop_Invariant
-           (for all Done in Word_Place =>
-              (if Done <= Which
-               then Word_At (Result, Done) =
-                      Word_In_Format_2 (Block, Sender, Done)));
+           (for all Each in Word_Place =>
+              Result (Each) =
+                (if Each <= Which
+                 then Word_In_Format_2 (Block, Sender, Each)
+                 else 0));
       end loop;
       return Result;
    end Unpacked;

@@ -27,10 +27,11 @@
 --  more than 12 bits.
 
 with Interfaces;     use Interfaces;
-with Telemetry;      use Telemetry;
-with URVOS;          use URVOS;
-with URV.Sip_Hash;   use URV.Sip_Hash;
-with URV.Spare_Bits; use URV.Spare_Bits;
+with Telemetry;        use Telemetry;
+with URVOS;            use URVOS;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
+with URV.Sip_Hash;     use URV.Sip_Hash;
+with URV.Spare_Bits;   use URV.Spare_Bits;
 
 package URV.Seal_Blocks with Pure, SPARK_Mode is
 
@@ -46,8 +47,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
    Uplink_Words   : constant := Uplink_Length / 2;
    Downlink_Words : constant := Downlink_Length / 2;
 
-   subtype Word_Total is Byte_Count range Uplink_Words .. Downlink_Words;
-   subtype Word_Place is Byte_Count range 1 .. Downlink_Words;
+   subtype Word_Total is Word_Place range Uplink_Words .. Downlink_Words;
 
    function Words_Of (Sender : Station) return Word_Total is
      (if Sender = Ground then Uplink_Words else Downlink_Words)
@@ -89,23 +89,18 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
    --  The frames of a session: the numbers of blocks; 0 means none.
    type Counter is range 0 .. 2 ** 31 - 1;
 
-   --  A word of format 1.
-   function Word_At (Data : Block_Data; Which : Word_Place) return Word is
-     (Word (Data (2 * Which - 1)) * 256 + Word (Data (2 * Which)))
-   with Global => null;
-
    subtype Field is Word range 0 .. 16#FFF#;
 
    --  The running card and its phase in one byte.
-   function Card_Of (Data : Block_Data) return Byte is
-     (Byte (Spare_Of (Word_At (Data, Card_Place))) * 16
-      + Byte (Spare_Of (Word_At (Data, Phase_Place))))
+   function Card_Of (Data : Block_Words) return Byte is
+     (Byte (Spare_Of (Data (Card_Place))) * 16
+      + Byte (Spare_Of (Data (Phase_Place))))
    with
      Global => null,
      Post   =>
-       Middle (Word (Card_Of'Result)) = Spare_Of (Word_At (Data, Card_Place))
+       Middle (Word (Card_Of'Result)) = Spare_Of (Data (Card_Place))
        and then
-         Low (Word (Card_Of'Result)) = Spare_Of (Word_At (Data, Phase_Place));
+         Low (Word (Card_Of'Result)) = Spare_Of (Data (Phase_Place));
 
    --  The last field of an uplink: the number's remainder and the echo's code.
    --  The code is also a remainder, or No_Echo
@@ -121,18 +116,18 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
    with Global => null;
 
    function Field_Of
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Number : Counter;
       Echo   : Counter;
       Which  : Word_Place) return Field
    is
      (if Which < Words_Of (Sender)
-      then (if Sender = Ground then Clipped (Word_At (Data, Which))
-            else Without_Spare (Word_At (Data, Which)))
+      then (if Sender = Ground then Clipped (Data (Which))
+            else Without_Spare (Data (Which)))
       elsif Sender = Ground
       then Word (Number mod Number_Modulus) * Number_Modulus + Code_Of (Echo)
-      else Word_At (Data, Which) / 16)
+      else Data (Which) / 16)
    with
      Global => null,
      Pre    => Which <= Words_Of (Sender);
@@ -171,9 +166,9 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
       else Word (Block (Before_Counter)))
    with Global => null;
 
-   --  A block of format 1 in format 2, without its tag.
+   --  The bytes of the words, without a tag.
    function Packed
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Number : Counter;
       Echo   : Counter) return Block_Data
@@ -181,8 +176,7 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      Global => null,
      Post   =>
        Packed'Result (1) =
-         (Sealed_Mark
-          or Byte (Word_At (Data, Words_Of (Sender)) mod 16))
+         (Sealed_Mark or Byte (Data (Words_Of (Sender)) mod 16))
        and then
          (for all Which in Word_Place =>
             (if Which <= Words_Of (Sender)
@@ -225,17 +219,18 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      Global => null,
      Pre    => Which <= Words_Of (Sender);
 
-   --  Converts a block of format 2 to format 1.
+   --  The words of a block in format 2.
    function Unpacked
      (Block  : Block_Data;
-      Sender : Station) return Block_Data
+      Sender : Station) return Block_Words
    with
      Global => null,
      Post   =>
        (for all Which in Word_Place =>
-          (if Which <= Words_Of (Sender)
-           then Word_At (Unpacked'Result, Which) =
-                  Word_In_Format_2 (Block, Sender, Which)));
+          Unpacked'Result (Which) =
+            (if Which <= Words_Of (Sender)
+             then Word_In_Format_2 (Block, Sender, Which)
+             else 0));
 
    --  Nonces: each node starts with one and advances it with each session. The
    --  high byte comes first.

@@ -2,15 +2,60 @@
 
 package body URV.Seals with SPARK_Mode is
 
-   procedure Pass (This : in out Seal; Frames : Counter) is
+   --  In place: a seal is long, and a frame passes in each frame.
+   procedure Grow_Older (Item : in out Session; Frames : Counter)
+   with
+     Global => null,
+     Post   => Item = Kept (Older (Item'Old, Frames));
+
+   procedure Grow_Older (Item : in out Session; Frames : Counter) is
    begin
-      This := After_Frames (This, Frames);
+      Item.Age :=
+        (if Frames <= Last_Age - Item.Age then Item.Age + Frames
+         else Last_Age);
+      if Is_Over (Item) then
+         Item := No_Session;
+      end if;
+   end Grow_Older;
+
+   procedure Pass (This : in out Seal; Frames : Counter) is
+      Was : constant Seal := This
+      with Ghost;
+   begin
+      if Frames > 0 and then Sends_Hello (This) then
+         This.Turn := Next_Place (To_Answer (This));
+      end if;
+      This.Silence := Silence_After (This, Frames);
+      if This.Role = Aircraft and then This.Silence = Longest_Silence then
+         This.Active := No_Session;
+      else
+         Grow_Older (This.Active, Frames);
+      end if;
+      for Each in Pending_Place loop
+         Grow_Older (This.Pending (Each), Frames);
+
+         pragma Loop_Invariant
+           (for all Place in Pending_Place =>
+              This.Pending (Place) =
+                (if Place <= Each
+                 then Kept (Older (Was.Pending (Place), Frames))
+                 else Was.Pending (Place)));
+         pragma Loop_Invariant
+           (This = (This'Loop_Entry with delta Pending => This.Pending));
+      end loop;
+      pragma Assert (This.Active = After_Frames (Was, Frames).Active);
+      pragma Assert
+        (for all Each in Pending_Place =>
+           This.Pending (Each) = After_Frames (Was, Frames).Pending (Each));
+      pragma Assert (This.Pending = After_Frames (Was, Frames).Pending);
+      pragma Assert (This.Turn = After_Frames (Was, Frames).Turn);
    end Pass;
 
    procedure Open
      (This    : in out Seal;
-      Block   : in out Block_Data;
+      Block   : Block_Data;
       Arrived : Boolean;
+      Words   : out Block_Words;
       Result  : out Outcome) is
    begin
       Result := Outcome_Of (This, Block, Arrived);
@@ -18,19 +63,24 @@ package body URV.Seals with SPARK_Mode is
          This := After (This, Block, Result);
       end if;
       if Result not in Taken then
-         Block := [others => 0];
-      elsif This.Format = 2 then
-         Block := Unpacked (Block, Other (This.Role));
+         Words := [others => 0];
+      elsif This.Format = 1 then
+         Words := Decode (Block, Words_Of (Other (This.Role)));
+      else
+         Words := Unpacked (Block, Other (This.Role));
       end if;
    end Open;
 
-   procedure Close (This : in out Seal; Data : in out Block_Data) is
+   procedure Close
+     (This : in out Seal; Data : Block_Words; Block : out Block_Data) is
    begin
       if This.Active.Is_Present and then This.Active.Age = Last_Age then
          This := Restarted (This);
       end if;
-      if This.Format = 2 then
-         Data := Closed (This, Data);
+      if This.Format = 1 then
+         Block := Encode (Data, Words_Of (This.Role));
+      else
+         Block := Closed (This, Data);
       end if;
    end Close;
 

@@ -8,6 +8,7 @@ with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
 with URV.Frame_Times; use URV.Frame_Times;
 with URV.Handshakes;  use URV.Handshakes;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Sessions;    use URV.Sessions;
 
@@ -152,24 +153,30 @@ package URV.Seals with Pure, SPARK_Mode is
      Global => null,
      Post   => This = After_Frames (This'Old, Frames);
 
-   --  Opens a block, if one came in this frame. Block is then a block of
-   --  format 1, or zeros.
+   --  The words of a block that is taken.
+   function Words_In (This : Seal; Block : Block_Data) return Block_Words is
+     (if This.Format = 1 then Decode (Block, Words_Of (Other (This.Role)))
+      else Unpacked (Block, Other (This.Role)))
+   with Global => null;
+
+   --  Opens a block, if one came in this frame. Words are those of a block
+   --  that is taken, or zeros.
    procedure Open
      (This    : in out Seal;
-      Block   : in out Block_Data;
+      Block   : Block_Data;
       Arrived : Boolean;
+      Words   : out Block_Words;
       Result  : out Outcome)
    with
      Global => null,
      Post   =>
-       Result = Outcome_Of (This'Old, Block'Old, Arrived)
-       and then This = After (This'Old, Block'Old, Result)
+       Result = Outcome_Of (This'Old, Block, Arrived)
+       and then This = After (This'Old, Block, Result)
        and then This.Format = This'Old.Format
        and then This.Role = This'Old.Role
-       and then Block =
-         (if Result not in Taken then Block_Data'[others => 0]
-          elsif This.Format = 1 then Block'Old
-          else Unpacked (Block'Old, Other (This.Role)));
+       and then Words =
+         (if Result in Taken then Words_In (This'Old, Block)
+          else Block_Words'[others => 0]);
 
    --  A block to send
 
@@ -192,7 +199,7 @@ package URV.Seals with Pure, SPARK_Mode is
    with Global => null;
 
    function Sealed
-     (Data   : Block_Data;
+     (Data   : Block_Words;
       Sender : Station;
       Number : Counter;
       Echo   : Counter;
@@ -213,19 +220,20 @@ package URV.Seals with Pure, SPARK_Mode is
       else This)
    with Global => null;
 
-   function Closed (This : Seal; Data : Block_Data) return Block_Data is
-     (if This.Format = 1 then Data
+   function Closed (This : Seal; Data : Block_Words) return Block_Data is
+     (if This.Format = 1 then Encode (Data, Words_Of (This.Role))
       elsif Sends_Hello (This) then Closed_Hello (This)
       else Sealed
         (Data, This.Role, This.Active.Age, Echo_Now (This.Active),
          This.Active))
    with Global => null;
 
-   procedure Close (This : in out Seal; Data : in out Block_Data)
+   procedure Close
+     (This : in out Seal; Data : Block_Words; Block : out Block_Data)
    with
      Global => null,
      Post   =>
-       Data = Closed (Renewed (This'Old), Data'Old)
+       Block = Closed (Renewed (This'Old), Data)
        and then This = Renewed (This'Old);
 
 end URV.Seals;

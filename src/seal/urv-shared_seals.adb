@@ -26,16 +26,17 @@ package body URV.Shared_Seals with SPARK_Mode is
       end Set_Time;
 
       procedure Open
-        (Block   : in out Block_Data;
+        (Block   : Block_Data;
          Arrived : Boolean;
+         Words   : out Block_Words;
          Result  : out Outcome) is
       begin
-         Seals.Open (Item, Block, Arrived, Result);
+         Seals.Open (Item, Block, Arrived, Words, Result);
       end Open;
 
-      procedure Close (Data : in out Block_Data) is
+      procedure Close (Data : Block_Words; Block : out Block_Data) is
       begin
-         Seals.Close (Item, Data);
+         Seals.Close (Item, Data, Block);
       end Close;
 
    end Shared_Seal;

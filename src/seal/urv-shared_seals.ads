@@ -4,8 +4,9 @@
 
 with Telemetry;       use Telemetry;
 with URVOS.Frames;    use URVOS.Frames;
-with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Handshakes;  use URV.Handshakes;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
+with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Sessions;    use URV.Sessions;
 
 package URV.Shared_Seals with SPARK_Mode is
@@ -35,11 +36,12 @@ package URV.Shared_Seals with SPARK_Mode is
       procedure Set_Time (Now : Clock_Tick);
 
       procedure Open
-        (Block   : in out Block_Data;
+        (Block   : Block_Data;
          Arrived : Boolean;
+         Words   : out Block_Words;
          Result  : out Outcome);
 
-      procedure Close (Data : in out Block_Data);
+      procedure Close (Data : Block_Words; Block : out Block_Data);
 
    private
       Item : Seal := New_Seal

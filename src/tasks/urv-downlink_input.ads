@@ -15,4 +15,4 @@ package URV.Downlink_Input is new URV.TELIN_Steps
    Neutral => Neutral_Downlink,
    As_Old  => Routing.As_Old,
    Is_Old  => Routing.Is_Old,
-   Decode  => Codecs.Downlink.Decode);
+   Message_Of => Codecs.Downlink.Buffer_Of);

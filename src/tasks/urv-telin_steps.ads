@@ -6,16 +6,16 @@
 --  Theorems.Safety calls the same functions. Each is an expression function:
 --  its text is its contract.
 
-with Telemetry;      use Telemetry;
-with URVOS;          use URVOS;
-with URV.Handshakes; use URV.Handshakes;
+with URVOS;            use URVOS;
+with URV.Handshakes;   use URV.Handshakes;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 
 generic
    type Message is private;
    Neutral : Message;
    with function As_Old (Source : Message) return Message;
    with function Is_Old (Source : Message) return Boolean;
-   with function Decode (Data : Block_Data) return Message;
+   with function Message_Of (Words : Block_Words) return Message;
 package URV.TELIN_Steps with SPARK_Mode is
 
    --  The message that the task keeps from frame to frame, if any.
@@ -27,11 +27,11 @@ package URV.TELIN_Steps with SPARK_Mode is
    --  The message of a block that the seal opened. Without one it is the last
    --  message, marked as old.
    function Next
-     (Kept : Kept_Message; Result : Outcome; Data : Block_Data)
+     (Kept : Kept_Message; Result : Outcome; Words : Block_Words)
       return Kept_Message
    is
      (if Result in Taken
-      then (Buffer => Decode (Data), Has_Message => True)
+      then (Buffer => Message_Of (Words), Has_Message => True)
       else (Kept with delta Buffer => As_Old (Kept.Buffer)))
    with Global => null;
 

@@ -1,8 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Telemetry;      use Telemetry;
-with URV.Errors;     use URV.Errors;
-with URV.Handshakes; use URV.Handshakes;
+with Telemetry;        use Telemetry;
+with URV.Errors;       use URV.Errors;
+with URV.Handshakes;   use URV.Handshakes;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 
 package body URV.TELIN_Task with SPARK_Mode is
 
@@ -14,6 +15,7 @@ package body URV.TELIN_Task with SPARK_Mode is
    procedure Run_Transaction (Now : Clock_Tick; Is_New : out Boolean) is
       Kept          : Steps.Kept_Message := Previous.Contents;
       Data          : Block_Data;
+      Words         : Block_Words;
       Fresh         : Boolean;
       Ever_Received : Boolean;
       Result        : Outcome;
@@ -21,8 +23,8 @@ package body URV.TELIN_Task with SPARK_Mode is
    begin
       Telemetry_Board.Take (Data, Fresh, Ever_Received);
       Sealing.Set_Time (Now);
-      Sealing.Open (Data, Fresh, Result);
-      Kept := Steps.Next (Kept, Result, Data);
+      Sealing.Open (Data, Fresh, Words, Result);
+      Kept := Steps.Next (Kept, Result, Words);
       Previous.Write (Kept);
       Is_New := Steps.Is_New (Kept);
 

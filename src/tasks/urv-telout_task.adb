@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Telemetry;  use Telemetry;
 with URV.Errors; use URV.Errors;
 
 package body URV.TELOUT_Task with SPARK_Mode is
@@ -13,8 +14,7 @@ package body URV.TELOUT_Task with SPARK_Mode is
       TELOUT_Variable.Receive (Item, Fresh);
 
       if Fresh then
-         Data := Encode (Item);
-         Sealing.Close (Data);
+         Sealing.Close (Words_Of (Item), Data);
          Telemetry_Board.Put (Data, Overwrote);
          if Overwrote then
             Errors.Report (TELOUT_Overwrote_Block, 0);

@@ -7,9 +7,9 @@
 --  buffer is free, the newest data overwrites older data. Without a new
 --  message it writes nothing. The block is sealed first (SEC-1).
 
-with Telemetry;         use Telemetry;
 with Telemetry.Shared_Boards;
 with URVOS.Shared_Mailboxes;
+with URV.Plain_Blocks;  use URV.Plain_Blocks;
 with URV.Shared_Errors; use URV.Shared_Errors;
 with URV.Shared_Seals;
 
@@ -19,7 +19,7 @@ generic
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    Sealing         : in out URV.Shared_Seals.Shared_Seal;
    Errors          : in out Shared_Log;
-   with function Encode (Item : Messages.Message) return Block_Data;
+   with function Words_Of (Item : Messages.Message) return Block_Words;
 package URV.TELOUT_Task with SPARK_Mode is
 
    procedure Run_Transaction

@@ -15,4 +15,4 @@ package URV.Uplink_Input is new URV.TELIN_Steps
    Neutral => Neutral_Uplink,
    As_Old  => Routing.As_Old,
    Is_Old  => Routing.Is_Old,
-   Decode  => Codecs.Uplink.Decode);
+   Message_Of => Codecs.Uplink.Buffer_Of);

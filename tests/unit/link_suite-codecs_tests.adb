@@ -2,10 +2,12 @@
 
 with Checks;       use Checks;
 with Expectations; use Expectations;
+with Plain_Messages; use Plain_Messages;
 with URVOS;        use URVOS;
 with Telemetry;    use Telemetry;
 with URV.Buffers;  use URV.Buffers;
 with URV.Codecs;   use URV.Codecs;
+with URV.Plain_Blocks;
 with URV.Routing;  use URV.Routing;
 with URV.Seal_Blocks;
 with URV.Spare_Bits; use URV.Spare_Bits;
@@ -57,7 +59,7 @@ package body Codecs_Tests is
          Buffer (Item) :=
            16#1020# + 16#101# * Word (Uplink_Item'Pos (Item));
       end loop;
-      Block := Uplink.Encode (Buffer);
+      Block := Block_Of (Buffer);
       for I in Byte range 0 .. Uplink_Length / 2 - 1 loop
          Expect
            ("high byte" & I'Image, Block (2 * Byte_Index (I + 1) - 1),
@@ -78,7 +80,7 @@ package body Codecs_Tests is
          Buffer (Item) :=
            16#1020# + 16#101# * Word (Downlink_Item'Pos (Item));
       end loop;
-      Block := Downlink.Encode (Buffer);
+      Block := Block_Of (Buffer);
       for I in Byte range 0 .. Downlink_Length / 2 - 1 loop
          Expect
            ("high byte" & I'Image, Block (2 * Byte_Index (I + 1) - 1),
@@ -94,7 +96,9 @@ package body Codecs_Tests is
 
    procedure Part_Of_A_List is
       Block : constant Block_Data :=
-        Switch_Codec.Encode ((16#102#, 16#304#, 16#506#));
+        URV.Plain_Blocks.Encode
+          (Switch_Codec.Words_Of ((16#102#, 16#304#, 16#506#)),
+           Switch_Codec.Words);
    begin
       Expect_Number ("bytes", Integer (Switch_Codec.Block_Length), 6);
       for I in Byte_Index range 1 .. 6 loop
@@ -115,14 +119,14 @@ package body Codecs_Tests is
          Filler := 25_173 * Filler + 13_849;
          Up := (others => Filler);
          Up (Uplink_Item'Val (Value mod Uplink_Buffer'Length)) := Value;
-         Up_Back := Uplink.Decode (Uplink.Encode (Up));
+         Up_Back := Uplink_In (Block_Of (Up));
          for Item in Uplink_Item loop
             Expect ("uplink " & Item'Image, Up_Back (Item), Up (Item));
          end loop;
 
          Down := (others => Filler);
          Down (Downlink_Item'Val (Value mod Downlink_Buffer'Length)) := Value;
-         Down_Back := Downlink.Decode (Downlink.Encode (Down));
+         Down_Back := Downlink_In (Block_Of (Down));
          for Item in Downlink_Item loop
             Expect ("downlink " & Item'Image, Down_Back (Item), Down (Item));
          end loop;
@@ -231,10 +235,10 @@ package body Codecs_Tests is
       Image.Words (1) := 16#1000#;
       Expect
         ("roll to the wire and back",
-         Uplink.Decode (Uplink.Encode (To_Uplink (Image))) (Roll), 16#FFFF#);
+         Uplink_In (Block_Of (To_Uplink (Image))) (Roll), 16#FFFF#);
       Expect
         ("left flap 1 to the wire and back",
-         Downlink.Decode (Downlink.Encode (To_Downlink (Image))) (Left_Flap_1),
+         Downlink_In (Block_Of (To_Downlink (Image))) (Left_Flap_1),
          16#1000#);
    end Passed_On_Whole;
 
@@ -262,8 +266,7 @@ package body Codecs_Tests is
                      when 1      => 16#FFF#,
                      when others => Value));
             Source (Error_Status) := 16#F005#;
-            Sent :=
-              Downlink.Decode (Downlink.Encode (Packed (Source, Frame)));
+            Sent := Downlink_In (Block_Of (Packed (Source, Frame)));
             Found := Unpacked (Sent);
             Expect ("the sensors", Found.Words = Source, True);
             Expect
@@ -272,7 +275,7 @@ package body Codecs_Tests is
       end loop;
       Expect
         ("no mark of format 2",
-         URV.Seal_Blocks.Mark_Of (Downlink.Encode (Sent)) = 16#50#, True);
+         URV.Seal_Blocks.Mark_Of (Block_Of (Sent)) = 16#50#, True);
 
       --  Places on the wire: word 1 is 5fff, the number is in words 2 to 4.
       Frame := (Frame_Number => 16#123#, Running_Card => 4, Card_Phase => 5,

@@ -10,6 +10,7 @@ with Telemetry;       use Telemetry;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Handshakes;  use URV.Handshakes;
 with URV.Seals;       use URV.Seals;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 with URV.Sessions;    use URV.Sessions;
 with URV.Sip_Hash;    use URV.Sip_Hash;
 with URVOS;           use URVOS;
@@ -66,7 +67,7 @@ package body Seal_Tests is
       Aircraft => New_Seal (Aircraft, 2, Aircraft_Keys, Start + 500));
 
    --  Word n is 100h + n + Mark; the last one is 5.
-   function Data_Of (From : Station; Mark : Word) return Block_Data;
+   function Data_Of (From : Station; Mark : Word) return Block_Words;
 
    function Closed (Both : in out Link; From : Station; Mark : Word := 0)
                     return Block_Data;
@@ -99,16 +100,13 @@ package body Seal_Tests is
       Both   : in out Link;
       Within : Positive);
 
-   function Data_Of (From : Station; Mark : Word) return Block_Data is
-      Result : Block_Data := (others => 0);
-      Value  : Word;
+   function Data_Of (From : Station; Mark : Word) return Block_Words is
+      Result : Block_Words := (others => 0);
    begin
       for Which in Word_Place range 1 .. Words_Of (From) loop
-         Value :=
+         Result (Which) :=
            (if Which = Words_Of (From) then 5
             else 16#100# + Word (Which) + Mark);
-         Result (2 * Which - 1) := Byte (Value / 256);
-         Result (2 * Which) := Byte (Value mod 256);
       end loop;
       return Result;
    end Data_Of;
@@ -116,9 +114,9 @@ package body Seal_Tests is
    function Closed (Both : in out Link; From : Station; Mark : Word := 0)
                     return Block_Data
    is
-      Result : Block_Data := Data_Of (From, Mark);
+      Result : Block_Data;
    begin
-      Close (Both (From), Result);
+      Close (Both (From), Data_Of (From, Mark), Result);
       return Result;
    end Closed;
 
@@ -129,13 +127,13 @@ package body Seal_Tests is
       Block    : Block_Data;
       Expected : Outcome)
    is
-      Data  : Block_Data := Block;
+      Words : Block_Words;
       Found : Outcome;
    begin
-      Open (Both (By), Data, True, Found);
+      Open (Both (By), Block, True, Words, Found);
       Expect_Outcome (What, Found, Expected);
       Expect
-        (What & ", words are there", (for some Each of Data => Each /= 0),
+        (What & ", words are there", (for some Each of Words => Each /= 0),
          Found in Taken);
    end Expect_Opening;
 
@@ -164,14 +162,14 @@ package body Seal_Tests is
       Within : Positive)
    is
       Opens : array (Station) of Boolean := (others => False);
-      Data  : Block_Data;
+      Words : Block_Words;
       Found : Outcome;
    begin
       for Frame in 1 .. Within loop
          Pass (Both);
          for From in Station loop
-            Data := Closed (Both, From);
-            Open (Both (Other (From)), Data, True, Found);
+            Open
+              (Both (Other (From)), Closed (Both, From), True, Words, Found);
             Opens (Other (From)) := Found in Taken;
          end loop;
          exit when Opens (Ground) and then Opens (Aircraft);
@@ -242,19 +240,20 @@ package body Seal_Tests is
 
    procedure Words_Come_Through is
       Both  : Link := New_Link;
-      Given : Block_Data;
+      Given : Block_Words;
       Block : Block_Data;
+      Came  : Block_Words;
       Found : Outcome;
 
       --  The spare bits of a word that comes down: a mark, the number, and
       --  the card and phase as they were sent (FTI-12).
-      function Spare_Of (Sent : Block_Data; Place : Word_Place) return Word is
+      function Spare_Of (Sent : Block_Words; Place : Word_Place) return Word is
         (case Place is
             when 1      => 6,
             when 2      => Word (Both (Aircraft).Active.Age / 256 mod 16),
             when 3      => Word (Both (Aircraft).Active.Age / 16 mod 16),
             when 4      => Word (Both (Aircraft).Active.Age mod 16),
-            when 5 | 6  => Word_At (Sent, Place) / 16#1000#,
+            when 5 | 6  => Sent (Place) / 16#1000#,
             when others => 0);
 
    begin
@@ -268,25 +267,23 @@ package body Seal_Tests is
                Which : constant Word_Place :=
                  Byte_Count (Value mod Word (Words_Of (From))) + 1;
             begin
-               Given (2 * Which - 1) := Byte (Value / 256);
-               Given (2 * Which) := Byte (Value mod 256);
-               Block := Given;
+               Given (Which) := Value;
                Pass (Both);
-               Close (Both (From), Block);
-               Open (Both (Other (From)), Block, True, Found);
+               Close (Both (From), Given, Block);
+               Open (Both (Other (From)), Block, True, Came, Found);
                Expect_Outcome ("sealed", Found, Opened);
                for Place in Word_Place range 1 .. Words_Of (From) loop
                   Expect
                     ("word" & Place'Image & " from " & From'Image,
-                     Word_At (Block, Place),
+                     Came (Place),
                      (if Place < Words_Of (From) and then From = Ground
-                      then Word'Min (Word_At (Given, Place), 16#FFF#)
+                      then Word'Min (Given (Place), 16#FFF#)
                       elsif Place < Words_Of (From)
-                      then Word_At (Given, Place) mod 16#1000#
+                      then Given (Place) mod 16#1000#
                         + 16#1000# * Spare_Of (Given, Place)
                       elsif From = Ground
-                      then Word_At (Given, Place) mod 16
-                      else Word_At (Given, Place)));
+                      then Given (Place) mod 16
+                      else Given (Place)));
                end loop;
             end;
          end loop;
@@ -355,6 +352,7 @@ package body Seal_Tests is
    procedure Late_Blocks is
       Both  : Link;
       Block : Block_Data;
+      Words : Block_Words;
       Found : Outcome;
    begin
       for From in Station loop
@@ -365,7 +363,7 @@ package body Seal_Tests is
             Pass (Both);
             Block := Closed (Both, From);
             Pass (Both, Late);
-            Open (Both (Other (From)), Block, True, Found);
+            Open (Both (Other (From)), Block, True, Words, Found);
             if Late <= 6 or else Late > Most_Age then
                Expect_Outcome
                  (Late'Image & " frames late from " & From'Image, Found,
@@ -377,7 +375,7 @@ package body Seal_Tests is
                Expect ("refused", Found in Refused, True);
                Expect
                  ("nothing of it is left",
-                  (for all Each of Block => Each = 0), True);
+                  (for all Each of Words => Each = 0), True);
             end if;
          end loop;
       end loop;
@@ -391,7 +389,7 @@ package body Seal_Tests is
       Waiting : array (1 .. Frames) of Block_Data;
       First   : Positive;
       Found   : Outcome;
-      Unused  : Block_Data;
+      Words   : Block_Words;
       Taken_Blocks : Natural;
    begin
       for From in Station loop
@@ -403,7 +401,8 @@ package body Seal_Tests is
             Pass (Both);
             Waiting (Frame) := Closed (Both, From);
             if Frame mod 3 = 0 then
-               Open (Both (Other (From)), Waiting (First), True, Found);
+               Open
+                 (Both (Other (From)), Waiting (First), True, Words, Found);
                if Found in Taken then
                   Taken_Blocks := Taken_Blocks + 1;
                   Expect_Number
@@ -412,8 +411,8 @@ package body Seal_Tests is
                end if;
                First := First + 1;
             end if;
-            Unused := Closed (Both, Other (From));
-            Open (Both (From), Unused, True, Found);
+            Open
+              (Both (From), Closed (Both, Other (From)), True, Words, Found);
          end loop;
          Expect ("some were young", Taken_Blocks > 0, True);
       end loop;
@@ -436,10 +435,11 @@ package body Seal_Tests is
                   Altered (Where) :=
                     Altered (Where) xor Byte (2 ** Bit);
                   declare
-                     Copy  : Link := Both;
-                     Found : Outcome;
+                     Copy   : Link := Both;
+                     Found  : Outcome;
+                     Unused : Block_Words;
                   begin
-                     Open (Copy (Other (From)), Altered, True, Found);
+                     Open (Copy (Other (From)), Altered, True, Unused, Found);
                      Expect
                        ("byte" & Where'Image & ", bit" & Bit'Image
                         & " is refused",
@@ -624,7 +624,7 @@ package body Seal_Tests is
    procedure Hellos_Lock_Nobody_Out is
       Both     : Link := New_Link;
       Recorded : array (1 .. 3) of Block_Data;
-      Data     : Block_Data;
+      Unused   : Block_Words;
       Found    : Outcome;
       Needed   : Natural := 0;
    begin
@@ -637,13 +637,11 @@ package body Seal_Tests is
       for Frame in 1 .. 20 loop
          Needed := Frame;
          Pass (Both);
-         Data := Closed (Both, Ground);
-         Open (Both (Aircraft), Data, True, Found);
+         Open (Both (Aircraft), Closed (Both, Ground), True, Unused, Found);
          exit when Found = Opened_New_Session;
-         Data := Recorded (Frame mod 3 + 1);
-         Open (Both (Aircraft), Data, True, Found);
-         Data := Closed (Both, Aircraft);
-         Open (Both (Ground), Data, True, Found);
+         Open
+           (Both (Aircraft), Recorded (Frame mod 3 + 1), True, Unused, Found);
+         Open (Both (Ground), Closed (Both, Aircraft), True, Unused, Found);
       end loop;
       Expect ("a session within 10 frames", Needed <= 10, True);
    end Hellos_Lock_Nobody_Out;

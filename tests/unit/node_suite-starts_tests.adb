@@ -21,6 +21,7 @@ with URVOS.Start_Phases;
 with URVOS.Starts;
 with URVOS.Task_Trees;  use URVOS.Task_Trees;
 with URV.Buffers;       use URV.Buffers;
+with Plain_Messages;
 with URV.Codecs;
 with URV.CORE_Layout;   use URV.CORE_Layout;
 with URV.CORE_Memory;   use URV.CORE_Memory;
@@ -422,12 +423,12 @@ package body Starts_Tests is
          --  The aircraft gets no permission: both buffers are full.
          Fly_Before;
          MCS.Telemetry_Board.Put
-           (URV.Codecs.Downlink.Encode (Neutral_Downlink), Overwrote);
+           (Plain_Messages.Block_Of (Neutral_Downlink), Overwrote);
          Expect ("full before", Overwrote, True);
          Begin_Again (Aircraft, Condition);
          for Buffer in 1 .. 2 loop
             MCS.Telemetry_Board.Put
-              (URV.Codecs.Downlink.Encode (Neutral_Downlink), Overwrote);
+              (Plain_Messages.Block_Of (Neutral_Downlink), Overwrote);
             Expect
               (Condition'Image & ", full buffer" & Buffer'Image, Overwrote,
                False);
@@ -436,13 +437,13 @@ package body Starts_Tests is
          --  The same on the ground.
          for Buffer in 1 .. 3 loop
             GSC.Telemetry_Board.Put
-              (URV.Codecs.Uplink.Encode (Neutral_Uplink), Overwrote);
+              (Plain_Messages.Block_Of (Neutral_Uplink), Overwrote);
          end loop;
          Expect ("the ground's full before", Overwrote, True);
          Begin_Again (Ground, Condition);
          for Buffer in 1 .. 2 loop
             GSC.Telemetry_Board.Put
-              (URV.Codecs.Uplink.Encode (Neutral_Uplink), Overwrote);
+              (Plain_Messages.Block_Of (Neutral_Uplink), Overwrote);
             Expect
               (Condition'Image & ", the ground's full buffer" & Buffer'Image,
                Overwrote, False);
@@ -504,12 +505,12 @@ package body Starts_Tests is
       for Condition in Condition_Name loop
          Fly_Before;
          MCS.Telemetry_Board.Start;
-         Receive_Message (Aircraft, URV.Codecs.Uplink.Encode (On));
+         Receive_Message (Aircraft, Plain_Messages.Block_Of (On));
          MCS.Telemetry_Board.Take (Data, Fresh, Ever);
          Expect ("a message comes in", Fresh and Ever, True);
 
          MCS.Telemetry_Board.Start;
-         Receive_Message (Aircraft, URV.Codecs.Uplink.Encode (On));
+         Receive_Message (Aircraft, Plain_Messages.Block_Of (On));
          Begin_Again (Aircraft, Condition);
          MCS.Telemetry_Board.Take (Data, Fresh, Ever);
          Expect

@@ -9,6 +9,7 @@ with Telemetry.Receivers;
 with Telemetry.Shared_Boards;
 with URVOS;         use URVOS;
 with URV.Buffers;   use URV.Buffers;
+with Plain_Messages;
 with URV.Codecs;
 with URV.Errors;    use URV.Errors;
 with URV.Mailboxes; use URV.Mailboxes;
@@ -51,7 +52,7 @@ package body Telemetry_Task_Tests is
    Errors : URV.Shared_Errors.Shared_Log;
 
    Sealing_In  : URV.Shared_Seals.Shared_Seal (Aircraft);
-   Sealing_Out : URV.Shared_Seals.Shared_Seal (Ground);
+   Sealing_Out : URV.Shared_Seals.Shared_Seal (Aircraft);
 
    package TELIN is new URV.TELIN_Task
      (Steps           => URV.Uplink_Input,
@@ -67,7 +68,7 @@ package body Telemetry_Task_Tests is
       Telemetry_Board => Board_Out,
       Sealing         => Sealing_Out,
       Errors          => Errors,
-      Encode          => URV.Codecs.Downlink.Encode);
+      Words_Of        => URV.Codecs.Downlink.Words_Of);
 
    --  A whole block arrives at the board.
    procedure Receive_Block (Item : Uplink_Buffer);
@@ -87,7 +88,7 @@ package body Telemetry_Task_Tests is
    procedure Receive_Block (Item : Uplink_Buffer) is
       Length : constant Byte_Count := URV.Codecs.Uplink.Block_Length;
       Header : constant Byte := Receivers.Data_Header (Length);
-      Data   : constant Block_Data := URV.Codecs.Uplink.Encode (Item);
+      Data   : constant Block_Data := Plain_Messages.Block_Of (Item);
 
       procedure Hear (Value : Byte);
 
@@ -138,7 +139,7 @@ package body Telemetry_Task_Tests is
             Block (Place) := Data;
          end if;
       end loop;
-      Expect_Buffer (What, URV.Codecs.Downlink.Decode (Block), Expected);
+      Expect_Buffer (What, Plain_Messages.Downlink_In (Block), Expected);
    end Expect_Block;
 
    procedure Expect_No_Block (What : String) is
