@@ -21,6 +21,7 @@ case $machine in
       prefix=arm-linux-gnueabihf-
       processor="-mthumb -mcpu=cortex-m4 -mfloat-abi=soft"
       switches="$processor -fno-pie -fno-pic"
+      fast=-O3
       folders="targets/cortex_m targets/cortex_m/netduinoplus2
                targets/drivers/stm32_usart targets/drivers/stm32_watchdog"
       rom_size=114688 ;;
@@ -31,6 +32,10 @@ case $machine in
       # files .rep have the representation of the types (BRD-4).
       switches="$processor -fno-pie -fno-store-merging"
       listing=-gnatR1s
+      # Loops over all task control blocks are unrolled: an index costs more
+      # than the work.
+      fast="-O3 --param max-completely-peeled-insns=1000
+            --param max-peel-branches=100"
       folders="targets/mc68000 targets/mc68000/musashi
                targets/drivers/mc68681"
       rom_size=163840 ;;
@@ -88,20 +93,23 @@ optimise="$optimise -fno-delete-null-pointer-checks"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatw.V -gnatwe -gnatyg -gnatyM79 -g"
 
 # Both nodes share the objects, which are made again with other switches.
-stamp="$stamp $language $listing $optimise -O3 telemetry"
+stamp="$stamp $language $listing $optimise $fast schedulers"
 if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
    rm -rf objects
    mkdir objects
    echo "$stamp" >objects/stamp
 fi
 cd objects
-# The telemetry board's software runs at each character: it is built for speed.
-# These are names, not paths: a machine may have a body of its own.
-for each in boards receivers shared_boards; do
+# The telemetry board's software runs at each character, and the scheduler's
+# loops several times at each tick: they are built for speed. These are names,
+# not paths: a machine may have a body of its own.
+for each in telemetry-boards telemetry-receivers telemetry-shared_boards \
+   urvos-schedulers urvos-schedulers-calls
+do
    # shellcheck disable=SC2086
    "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \
-      --RTS=../runtime $include "telemetry-$each.adb" \
-      -cargs $language $listing $optimise -O3 $switches
+      --RTS=../runtime $include "$each.adb" \
+      -cargs $language $listing $optimise $fast $switches
 done
 # shellcheck disable=SC2086
 "${prefix}gnatmake-12" -q -c -j0 --GCC="${prefix}gcc-12" \

@@ -31,6 +31,8 @@ is
    Last_ROM_Byte : constant Byte_Address := Memory_Sizes.Last_ROM_Byte;
    Last_RAM_Word : constant Word_Address := Memory_Sizes.Last_RAM_Word;
 
+   ROM_Bytes_Per_Frame : constant := Memory_Sizes.ROM_Bytes_Per_Frame;
+
    procedure Read_ROM
      (Board : Board_Number;
       Where : Byte_Address;

@@ -12,4 +12,7 @@ package Devices.Memory_Sizes with Pure, SPARK_Mode is
    Last_ROM_Byte : constant Byte_Address := 16#FFFF#;
    Last_RAM_Word : constant Word_Address := 16#1FFF#;
 
+   --  The check in flight reads these in each major frame (TST-3).
+   ROM_Bytes_Per_Frame : constant := 64;
+
 end Devices.Memory_Sizes;

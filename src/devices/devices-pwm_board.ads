@@ -52,4 +52,17 @@ package Devices.PWM_Board with Pure, SPARK_Mode is
       else (This with delta Untouched => This.Untouched + 1))
    with Global => null;
 
+   --  The next tick replaces the words.
+   function Is_Left_Alone (This : Board_State) return Boolean is
+     (This.Untouched >= Hold_Ticks - 1)
+   with Global => null;
+
+   --  Any other tick in place, whatever the words without a controller are.
+   procedure Count_Tick (This : in out Board_State)
+   with
+     Inline,
+     Global => null,
+     Pre    => not Is_Left_Alone (This),
+     Post   => This = Ticked (This'Old, Unattended => This'Old.Words);
+
 end Devices.PWM_Board;

@@ -26,12 +26,17 @@ package Devices.Shared_PWM_Board with SPARK_Mode is
       --  The servos' side
       function Contents return Data_Area;
 
+      --  The words may have changed since the last call, at first since power
+      --  up.
+      procedure Look_For_Change (Changed : out Boolean);
+
       --  The timer has replaced the words, and the controller has not written
       --  or touched the board since.
       function Is_Unattended return Boolean;
 
    private
-      State : Board_State := (Words => Power_Up, Untouched => 0);
+      State  : Board_State := (Words => Power_Up, Untouched => 0);
+      Is_New : Boolean     := True;
    end Board;
 
 end Devices.Shared_PWM_Board;

@@ -114,11 +114,6 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
       else Long_Count (Now / Ticks_Per_Major_Frame))
    with Global => null;
 
-   --  The major frame of the last error.
-   function Last_Frame (Log : Error_Log) return Long_Count is
-     (Frame_Of (Logs.History_Of (Log, Logs.Latest (Log)).Last))
-   with Global => null;
-
    --  The error log's words in the status area
 
    subtype Log_Item is
@@ -126,15 +121,15 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
 
    subtype Log_Words is Status_Array (Log_Item);
 
-   function To_Status (Log : Error_Log) return Log_Words is
-     (if Logs.Total (Log) = 0
+   function To_Status (Item : Logs.Summary) return Log_Words is
+     (if Item.Total = 0
       then (others => 0)
       else
-        (Error_Total_High      => High_Word (Long_Count (Logs.Total (Log))),
-         Error_Total_Low       => Low_Word (Long_Count (Logs.Total (Log))),
-         Last_Error            => Error_Kind'Pos (Logs.Latest (Log)) + 1,
-         Last_Error_Frame_High => High_Word (Last_Frame (Log)),
-         Last_Error_Frame_Low  => Low_Word (Last_Frame (Log))))
+        (Error_Total_High      => High_Word (Long_Count (Item.Total)),
+         Error_Total_Low       => Low_Word (Long_Count (Item.Total)),
+         Last_Error            => Error_Kind'Pos (Item.Latest) + 1,
+         Last_Error_Frame_High => High_Word (Frame_Of (Item.Last)),
+         Last_Error_Frame_Low  => Low_Word (Frame_Of (Item.Last))))
    with Global => null;
 
    --  The log's rows (SAF-7)

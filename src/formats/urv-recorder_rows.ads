@@ -29,6 +29,12 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
    type Law_Place is range 1 .. 6;
    type Law_Words is array (Law_Place) of Word;
 
+   --  The words of the laws and of the test cards.
+   type Recorded_Laws is record
+      Laws  : Law_Words := (others => 0);
+      Cards : Word      := 0;
+   end record;
+
    type Recorded_Words is record
       Time     : Clock_Tick      := 0;
       Sensors  : Downlink_Buffer := (others => 0);

@@ -46,6 +46,43 @@ package URVOS.Error_Logs with Pure, SPARK_Mode is
    function Latest (Log : Error_Log) return Error_Kind
    with Global => null;
 
+   --  The errors of all kinds: their number, the kind that was added last, and
+   --  its last time.
+   type Summary is record
+      Total  : Count;
+      Latest : Error_Kind;
+      Last   : Clock_Tick;
+   end record;
+
+   function Summary_Of (Log : Error_Log) return Summary is
+     ((Total  => Total (Log),
+       Latest => Latest (Log),
+       Last   => History_Of (Log, Latest (Log)).Last))
+   with Global => null;
+
+   --  The kinds follow each other in a circle.
+   function Following (Kind : Error_Kind) return Error_Kind is
+     (if Kind = Error_Kind'Last then Error_Kind'First
+      else Error_Kind'Succ (Kind))
+   with Global => null;
+
+   function Has_Occurred (Log : Error_Log; Kind : Error_Kind) return Boolean
+   is (History_Of (Log, Kind).Occurrences > 0)
+   with Global => null;
+
+   --  The next kind in the circle that has occurred. If only Kind or none has,
+   --  it is Kind.
+   function Next_Occurred (Log : Error_Log; Kind : Error_Kind)
+                           return Error_Kind
+   with
+     Global => null,
+     Post   =>
+       (Next_Occurred'Result = Kind
+        or else Has_Occurred (Log, Next_Occurred'Result))
+       and then
+         (if Has_Occurred (Log, Following (Kind))
+          then Next_Occurred'Result = Following (Kind));
+
    --  A log without errors.
    function Empty_Log return Error_Log
    with

@@ -68,6 +68,13 @@ package URVOS.Frame_Locks with Pure, SPARK_Mode is
             else 0)))
    with Global => null;
 
+   --  The same in place
+   procedure Take_Tick (This : in out Lock_State; Available : Boolean)
+   with
+     Inline,
+     Global => null,
+     Post   => This = Ticked (This'Old, Available);
+
    --  The frame length that brings a message with this wait nearer to its
    --  time, the shorter way round.
    function Length_For (Waited : Wait_Count) return Frame_Length is

@@ -35,6 +35,16 @@ package body URVOS.Shared_Error_Logs with SPARK_Mode is
 
       function Contents return Logs.Error_Log is (Present);
 
+      function Summary return Logs.Summary is (Logs.Summary_Of (Present));
+
+      function History_Of (Kind : Logs.Error_Kind) return Logs.History is
+        (Logs.History_Of (Present, Kind));
+
+      function Next_Occurred (Kind : Logs.Error_Kind) return Logs.Error_Kind
+      is
+        (if Logs.Total (Present) = 0 then Kind
+         else Logs.Next_Occurred (Present, Kind));
+
       function Time return Clock_Tick is (Now);
 
    end Shared_Log;

@@ -40,6 +40,15 @@ package URVOS.Shared_Error_Logs with SPARK_Mode is
       --  The whole log, read at one instant.
       function Contents return Logs.Error_Log;
 
+      --  Parts of it, each read at one instant. The whole log is a large copy.
+
+      function Summary return Logs.Summary;
+
+      function History_Of (Kind : Logs.Error_Kind) return Logs.History;
+
+      --  See Logs.Next_Occurred. An empty log is not searched.
+      function Next_Occurred (Kind : Logs.Error_Kind) return Logs.Error_Kind;
+
       --  The tick of the last Set_Time.
       function Time return Clock_Tick;
 

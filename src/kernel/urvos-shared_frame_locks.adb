@@ -18,7 +18,7 @@ package body URVOS.Shared_Frame_Locks with SPARK_Mode is
       procedure Tick (Available : Boolean) is
       begin
          if Is_On then
-            State := Ticked (State, Available);
+            Take_Tick (State, Available);
          end if;
       end Tick;
 
@@ -28,6 +28,8 @@ package body URVOS.Shared_Frame_Locks with SPARK_Mode is
             State := Taken (State, Fresh, Frame_Of (Now));
          end if;
       end Take;
+
+      function Is_In_Use return Boolean is (Is_On);
 
       function Request return Frame_Request is (State.Request);
 

@@ -25,6 +25,9 @@ package URVOS.Shared_Frame_Locks with SPARK_Mode is
 
       function Request return Frame_Request;
 
+      --  While it is not, it needs no ticks, and Request is No_Request.
+      function Is_In_Use return Boolean;
+
       function Contents return Lock_State;
 
    private

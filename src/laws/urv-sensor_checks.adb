@@ -150,14 +150,18 @@ package body URV.Sensor_Checks with SPARK_Mode is
    end Advance;
 
    function Invalid_Bits (Items : Check_Table; Which : Half) return Word is
+      First  : constant Sensor_Item := Sensor_Item'Val (16 * Integer (Which));
+      Last   : constant Sensor_Item :=
+        (if Which = Half'Last then Sensor_Item'Last
+         else Sensor_Item'Val (Sensor_Item'Pos (First) + 15));
       Result : Word := 0;
+      Bit    : Word := 1;
    begin
-      for Item in Sensor_Item loop
-         if Sensor_Item'Pos (Item) / 16 = Integer (Which)
-           and then not Items (Item).Is_Valid
-         then
-            Result := Result or 2 ** (Sensor_Item'Pos (Item) mod 16);
+      for Item in First .. Last loop
+         if not Items (Item).Is_Valid then
+            Result := Result or Bit;
          end if;
+         Bit := Bit * 2;
       end loop;
       return Result;
    end Invalid_Bits;

@@ -114,7 +114,7 @@ package GSC with SPARK_Mode is
 
    package SELF_TEST is new URV.Self_Test_Task
      (Last            => Last_ROM_Byte,
-      Bytes_Per_Frame => 64,
+      Bytes_Per_Frame => ROM_Bytes_Per_Frame,
       CORE_Memory     => CORE_Memory,
       Node_Status     => Status,
       Errors          => Errors,

@@ -13,9 +13,15 @@ with URV.Test_Inputs;
 package body MCS with SPARK_Mode is
 
    procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request) is
-      Available : constant Boolean := Telemetry_Board.Has_Received;
+      Is_Locked : constant Boolean := Frame_Lock.Is_In_Use;
+      Available : Boolean;
    begin
+      if not Is_Locked then
+         Request := No_Request;
+         return;
+      end if;
       if Ticks > 0 then
+         Available := Telemetry_Board.Has_Received;
          Frame_Lock.Tick (Available);
       end if;
       Request := Frame_Lock.Request;
@@ -88,6 +94,8 @@ package body MCS with SPARK_Mode is
       Recorder.Clear;
       Recorder_Sender.Restart;
       Law_Memory.Write (URV.LAW_Steps.At_Start);
+      Law_Record.Write
+        (URV.Shared_Laws.Recorded_Of (URV.LAW_Steps.At_Start));
       Surface_Health.Write (URV.Allocation.All_Well);
       Test_Added.Write (URV.Test_Inputs.Nothing_Added);
       Card_Shown.Write (0);
@@ -114,6 +122,7 @@ package body MCS with SPARK_Mode is
       Sensors_Variable.Restart;
       PWM_Variable.Restart;
       Law_Memory.Write (Kept);
+      Law_Record.Write (URV.Shared_Laws.Recorded_Of (Kept));
       Card_Shown.Write (URV.Card_Status.Card_Word (Kept.Cards.Run));
    end Restart_Variables;
 

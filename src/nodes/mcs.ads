@@ -104,6 +104,8 @@ package MCS with SPARK_Mode is
 
    Law_Memory : URV.Shared_Laws.Memories.Store;
 
+   Law_Record : URV.Shared_Laws.Records.Store;
+
    Surface_Health : URV.Shared_Surfaces.Healths.Store;
 
    --  The inputs of a test card in this frame (FTI-3).
@@ -146,8 +148,8 @@ package MCS with SPARK_Mode is
 
    package LAW is new URV.LAW_Task
      (Commands_Variable, Sensors_Variable, PWM_Variable,
-      Configuration_Variable, Law_Settings, Law_Memory, Surface_Health,
-      Test_Added, Card_Shown, Errors);
+      Configuration_Variable, Law_Settings, Law_Memory, Law_Record,
+      Surface_Health, Test_Added, Card_Shown, Errors);
 
    package PWM is new URV.PWM_Task
      (PWM_Variable, Surface_Health, Test_Added, PWM_Board, Errors);
@@ -163,11 +165,11 @@ package MCS with SPARK_Mode is
 
    --  The last act of LOG's step.
    package Flight_Recorder is new URV.Flight_Recorder
-     (CORE_Memory, PWM_Board, Law_Memory, Errors, Recorder);
+     (CORE_Memory, PWM_Board, Law_Record, Errors, Recorder);
 
    package SELF_TEST is new URV.Self_Test_Task
      (Last            => Last_ROM_Byte,
-      Bytes_Per_Frame => 64,
+      Bytes_Per_Frame => ROM_Bytes_Per_Frame,
       CORE_Memory     => CORE_Memory,
       Node_Status     => Status,
       Errors          => Errors,

@@ -50,6 +50,7 @@ package URV.AD_Scans with Pure, SPARK_Mode is
       Value : Word;
       Next  : out Next_Step)
    with
+     Inline,
      Global         => null,
      Contract_Cases =>
        (Is_Complete (This) =>

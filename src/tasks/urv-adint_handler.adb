@@ -25,6 +25,14 @@ is
       Item : Scan;
    end Guarded_Scan;
 
+   --  The scan is complete, or the interrupt was not expected: rare, and out
+   --  of the path of all other interrupts.
+   procedure End_Scan (Is_Complete : Boolean; Value : Word)
+   with
+     No_Inline,
+     Global =>
+       (Input => Guarded_Scan, In_Out => (ADINT_Variable, Errors));
+
    protected body Guarded_Scan is
 
       procedure Restart (Reached : out Channel_Count) is
@@ -53,31 +61,32 @@ is
       AD_Board.Start (0);
    end Begin_Scan;
 
+   procedure End_Scan (Is_Complete : Boolean; Value : Word) is
+      Item    : Channel_Words;
+      Success : Boolean;
+   begin
+      if Is_Complete then
+         Item := Guarded_Scan.Words;
+         ADINT_Variable.Send (Item, Success);
+         if not Success then
+            Errors.Report (Scan_Not_Consumed, 0);
+         end if;
+      else
+         Errors.Report (AD_Unexpected_Interrupt, Value);
+      end if;
+   end End_Scan;
+
    procedure Handle_Interrupt is
       Value   : constant Word := AD_Board.Data;
       Next    : Next_Step;
       Current : Channel_Count;
-      Item    : Channel_Words;
-      Success : Boolean;
    begin
       Guarded_Scan.Store (Value, Next, Current);
-
-      case Next is
-         when Start_Channel =>
-            if Current <= Channel_Count (Channel'Last) then
-               AD_Board.Start (Channel_Number (Current));
-            end if;
-
-         when Send_Words =>
-            Item := Guarded_Scan.Words;
-            ADINT_Variable.Send (Item, Success);
-            if not Success then
-               Errors.Report (Scan_Not_Consumed, 0);
-            end if;
-
-         when Ignore =>
-            Errors.Report (AD_Unexpected_Interrupt, Value);
-      end case;
+      if Next /= Start_Channel then
+         End_Scan (Next = Send_Words, Value);
+      elsif Current <= Channel_Count (Channel'Last) then
+         AD_Board.Start (Channel_Number (Current));
+      end if;
    end Handle_Interrupt;
 
 end URV.ADINT_Handler;

@@ -13,7 +13,7 @@ with URV.Shared_Recorders;
 generic
    CORE_Memory : in out URV.Shared_CORE_Memory.Board;
    PWM_Board   : in out PWM_Boards.Board;
-   Law_Memory  : in out URV.Shared_Laws.Memories.Store;
+   Law_Record  : in out URV.Shared_Laws.Records.Store;
    Errors      : in out Shared_Log;
    Recorder    : in out URV.Shared_Recorders.Recorder;
 package URV.Flight_Recorder with SPARK_Mode is
@@ -21,7 +21,7 @@ package URV.Flight_Recorder with SPARK_Mode is
    procedure Record_Frame
    with
      Global =>
-       (Input  => (CORE_Memory, PWM_Board, Law_Memory, Errors),
+       (Input  => (CORE_Memory, PWM_Board, Law_Record, Errors),
         In_Out => Recorder);
 
 end URV.Flight_Recorder;

@@ -201,7 +201,8 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
      Global => null,
      Post   =>
        Is_Flight (Result, This'Old, This, Used.On, Got)
-       and then not Result.By_Card;
+       and then not Result.By_Card
+       and then (if not Used.On then This = This'Old);
 
    --  Test cards
 
@@ -276,6 +277,26 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
      Global => null,
      Post   => (if not Flown.By_Law then Reported.Failed = None);
 
+   --  With the laws off and no block for them, the commands pass on, and the
+   --  memory is not used.
+
+   function Is_Passive (Usual : Settings; Got : Inputs) return Boolean is
+     (not Usual.On and then not Got.Has_Block)
+   with Global => null;
+
+   function Passed_On (Got : Inputs) return Decision is
+     ((Flown      =>
+         (Message => Got.Commands,
+          Is_Sent => Got.Has_Commands,
+          By_Law  => False,
+          By_Card => False),
+       Reported   => All_Well,
+       Added      => Nothing_Added,
+       Reply      => Taken,
+       Card_Reply => Test_Runs.Taken,
+       Has_Ended  => False))
+   with Global => null;
+
    --  The whole decision. With the laws off, cards and monitor are unchanged.
    procedure Decide
      (This   : in out Kept;
@@ -294,6 +315,10 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
        and then
          (if not Usual.On then This.Watched = This.Watched'Old)
        and then This.Cards.Deck = Deck_After (This'Old, Usual, Got)
+
+       and then
+         (if Is_Passive (Usual, Got)
+          then Result = Passed_On (Got) and then This = This'Old)
 
        --  Without a card nothing is added. A card begins only when new
        --  commands have switch 5 on.

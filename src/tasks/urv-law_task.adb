@@ -10,10 +10,29 @@ package body URV.LAW_Task with SPARK_Mode is
 
    package Reports is new URV.LAW_Reports (Errors);
 
+   --  The decision from LAW's memory, which is copied in and out.
+   procedure Decide_And_Report
+     (Usual : Laws.Settings; Got : Inputs; Result : out Decision)
+   with
+     Global => (In_Out => (Law_Memory, Law_Record, Card_Shown, Errors));
+
+   procedure Decide_And_Report
+     (Usual : Laws.Settings; Got : Inputs; Result : out Decision)
+   is
+      Memory : Kept := Law_Memory.Contents;
+      Before : constant Reports.State := Reports.State_Of (Memory);
+   begin
+      Decide (Memory, Usual, Got, Result);
+      Law_Memory.Write (Memory);
+      Law_Record.Write (Shared_Laws.Recorded_Of (Memory));
+      Card_Shown.Write (Card_Status.Card_Word (Memory.Cards.Run));
+      Reports.Report
+        (Before, Reports.State_Of (Memory), Usual, Got, Result,
+         Memory.Cards.Run);
+   end Decide_And_Report;
+
    procedure Run_Transaction is
       Usual   : constant Laws.Settings := Law_Settings.Contents;
-      Memory  : Kept := Law_Memory.Contents;
-      Before  : constant Reports.State := Reports.State_Of (Memory);
       Got     : Inputs;
       Result  : Decision;
       Success : Boolean;
@@ -22,14 +41,14 @@ package body URV.LAW_Task with SPARK_Mode is
       Sensors_Variable.Receive (Got.Sensors, Got.Has_Sensors);
       Commands_Variable.Receive (Got.Commands, Got.Has_Commands);
 
-      Decide (Memory, Usual, Got, Result);
-      Law_Memory.Write (Memory);
+      --  Nothing to report: Decide would give the same.
+      if Is_Passive (Usual, Got) then
+         Result := Passed_On (Got);
+      else
+         Decide_And_Report (Usual, Got, Result);
+      end if;
       Surface_Health.Write (Result.Reported);
       Test_Added.Write (Result.Added);
-      Card_Shown.Write (Card_Status.Card_Word (Memory.Cards.Run));
-      Reports.Report
-        (Before, Reports.State_Of (Memory), Usual, Got, Result,
-         Memory.Cards.Run);
 
       if Result.Flown.Is_Sent then
          PWM_Variable.Send (Result.Flown.Message, Success);

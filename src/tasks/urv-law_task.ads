@@ -30,6 +30,7 @@ generic
    Configuration_Variable : in out For_Uplink.Variable;
    Law_Settings      : in out URV.Shared_Laws.Settings.Store;
    Law_Memory        : in out URV.Shared_Laws.Memories.Store;
+   Law_Record        : in out URV.Shared_Laws.Records.Store;
    Surface_Health    : in out URV.Shared_Surfaces.Healths.Store;
    Test_Added        : in out URV.Shared_Inputs.Store;
    Card_Shown        : in out URV.Shared_Cards.Store;
@@ -41,7 +42,7 @@ package URV.LAW_Task with SPARK_Mode is
      Global =>
        (Input  => Law_Settings,
         In_Out => (Commands_Variable, Sensors_Variable, PWM_Variable,
-                   Configuration_Variable, Law_Memory, Surface_Health,
-                   Test_Added, Card_Shown, Errors));
+                   Configuration_Variable, Law_Memory, Law_Record,
+                   Surface_Health, Test_Added, Card_Shown, Errors));
 
 end URV.LAW_Task;

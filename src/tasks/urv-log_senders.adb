@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URVOS;           use URVOS;
 with URVOS.Frames;    use URVOS.Frames;
 with URV.Card_Status;
 with URV.CORE_Memory; use URV.CORE_Memory;
@@ -36,19 +37,25 @@ package body URV.Log_Senders with SPARK_Mode is
    end Get_Laws_Row;
 
    procedure Next (Item : out Piece) is
-      Log      : constant Error_Log         := Errors.Contents;
-      Set      : constant URV.Laws.Settings := Law_Settings.Contents;
-      Line     : Outgoing                   := Progress.Contents;
-      Laws_Row : Log_Row                    := No_Errors;
-
-      Has_Cards : Boolean := False;
+      All_Errors : constant Logs.Summary      := Errors.Summary;
+      Is_Empty   : constant Boolean           := All_Errors.Total = 0;
+      Set        : constant URV.Laws.Settings := Law_Settings.Contents;
+      Line       : Outgoing                   := Progress.Contents;
+      History    : Logs.History               := Errors.History_Of (Line.Kind);
+      Kind       : Error_Kind;
+      Laws_Row   : Log_Row;
+      Has_Cards  : Boolean;
    begin
-      if Laws_Are_Next (Line, Log, Set.On) then
+      if Laws_Are_Next (Line, Is_Empty, Set.On) then
          Get_Laws_Row (Line, Laws_Row, Has_Cards);
+         Line := With_Laws (Line, Has_Cards, Laws_Row);
+      elsif Is_Over (Line, History) then
+         Kind := Errors.Next_Occurred (Line.Kind);
+         History := Errors.History_Of (Kind);
+         Line := With_Kind (Line, Kind, History);
       end if;
-      Line := Selected (Line, Log, Set.On, Has_Cards, Laws_Row);
-      Item := Next_Piece (Line, Log);
-      Progress.Write (After (Line, Log));
+      Item := Next_Piece (Line, Is_Empty);
+      Progress.Write (After (Line, Is_Empty));
    end Next;
 
 end URV.Log_Senders;

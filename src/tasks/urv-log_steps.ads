@@ -16,12 +16,6 @@ with URV.Log_Pieces;  use URV.Log_Pieces;
 
 package URV.LOG_Steps with Pure, SPARK_Mode is
 
-   --  The kinds follow each other in a circle.
-   function Following (Kind : Error_Kind) return Error_Kind is
-     (if Kind = Error_Kind'Last then Error_Kind'First
-      else Error_Kind'Succ (Kind))
-   with Global => null;
-
    --  The LOG task keeps the telemetry board's counts that it has logged, and
    --  the kind whose row it writes next.
    type Progress is record
@@ -51,7 +45,7 @@ package URV.LOG_Steps with Pure, SPARK_Mode is
 
    function After (Before : Progress; Tally : Statistics) return Progress is
      ((Seen_Tally   => Tally,
-       Kind_In_Turn => Following (Before.Kind_In_Turn)))
+       Kind_In_Turn => Logs.Following (Before.Kind_In_Turn)))
    with Global => null;
 
    --  The row that is being sent to the ground, and the number of its
@@ -66,30 +60,13 @@ package URV.LOG_Steps with Pure, SPARK_Mode is
       Sent     : Place_Count := Place'Last;
    end record;
 
-   function Has_Occurred (Log : Error_Log; Kind : Error_Kind) return Boolean
-   is (Logs.History_Of (Log, Kind).Occurrences > 0)
-   with Global => null;
-
-   --  The next kind in the circle that has occurred. If only Kind or none has,
-   --  it is Kind.
-   function Next_Occurred (Log : Error_Log; Kind : Error_Kind)
-                           return Error_Kind
-   with
-     Global => null,
-     Post   =>
-       (Next_Occurred'Result = Kind
-        or else Has_Occurred (Log, Next_Occurred'Result))
-       and then
-         (if Has_Occurred (Log, Following (Kind))
-          then Next_Occurred'Result = Following (Kind));
-
    --  The laws' row follows each row, and is sent when the log is empty.
    function Laws_Are_Next
-     (Line : Outgoing; Log : Error_Log; Laws_On : Boolean) return Boolean
+     (Line : Outgoing; Is_Empty : Boolean; Laws_On : Boolean) return Boolean
    is
      (Laws_On
       and then not Line.Is_Laws
-      and then (Logs.Total (Log) = 0 or else Line.Sent = Place'Last))
+      and then (Is_Empty or else Line.Sent = Place'Last))
    with Global => null;
 
    --  With test cards, their row takes turns with that of the laws (FTI-2).
@@ -99,52 +76,48 @@ package URV.LOG_Steps with Pure, SPARK_Mode is
      (Has_Cards and then not Line.Is_Cards)
    with Global => null;
 
-   --  A row is over when all its fragments are sent, or the log was cleared.
-   function Is_Over (Line : Outgoing; Log : Error_Log) return Boolean is
-     (Line.Sent = Place'Last
-      or else
-        (not Line.Is_Laws and then not Has_Occurred (Log, Line.Kind)))
-   with Global => null;
-
-   --  The row of which this frame sends a fragment. Laws_Row: that of the laws
-   --  or, if Cards_Are_Next, of the test cards.
-   function Selected
-     (Line      : Outgoing;
-      Log       : Error_Log;
-      Laws_On   : Boolean;
-      Has_Cards : Boolean;
-      Laws_Row  : Log_Row) return Outgoing
+   --  The row of the laws or, if Cards_Are_Next, of the test cards.
+   function With_Laws
+     (Line : Outgoing; Has_Cards : Boolean; Row : Log_Row) return Outgoing
    is
-     (if Laws_Are_Next (Line, Log, Laws_On)
-      then
-        (Kind     => Line.Kind,
-         Is_Laws  => True,
-         Is_Cards => Cards_Are_Next (Line, Has_Cards),
-         Part     =>
-           (if not Cards_Are_Next (Line, Has_Cards) then Line.Part
-            elsif Line.Part = Part_Number'Last then 0
-            else Line.Part + 1),
-         Row      => Laws_Row,
-         Sent     => 0)
-      elsif Is_Over (Line, Log)
-      then
-        (Kind     => Next_Occurred (Log, Line.Kind),
-         Is_Laws  => False,
-         Is_Cards => Line.Is_Cards,
-         Part     => Line.Part,
-         Row      =>
-           To_Row (Logs.History_Of (Log, Next_Occurred (Log, Line.Kind))),
-         Sent     => 0)
-      else Line)
+     ((Kind     => Line.Kind,
+       Is_Laws  => True,
+       Is_Cards => Cards_Are_Next (Line, Has_Cards),
+       Part     =>
+         (if not Cards_Are_Next (Line, Has_Cards) then Line.Part
+          elsif Line.Part = Part_Number'Last then 0
+          else Line.Part + 1),
+       Row      => Row,
+       Sent     => 0))
    with Global => null;
 
-   function Has_Piece (Line : Outgoing; Log : Error_Log) return Boolean is
-     (Line.Sent < Place'Last
-      and then (Line.Is_Laws or else Logs.Total (Log) > 0))
+   --  A row is over when all its fragments are sent, or the log was cleared.
+   --  History: that of the row's kind.
+   function Is_Over (Line : Outgoing; History : Logs.History) return Boolean
+   is
+     (Line.Sent = Place'Last
+      or else (not Line.Is_Laws and then History.Occurrences = 0))
    with Global => null;
 
-   function Next_Piece (Line : Outgoing; Log : Error_Log) return Piece is
-     (if Has_Piece (Line, Log)
+   --  The row of a kind of error.
+   function With_Kind
+     (Line : Outgoing; Kind : Error_Kind; History : Logs.History)
+      return Outgoing
+   is
+     ((Kind     => Kind,
+       Is_Laws  => False,
+       Is_Cards => Line.Is_Cards,
+       Part     => Line.Part,
+       Row      => To_Row (History),
+       Sent     => 0))
+   with Global => null;
+
+   function Has_Piece (Line : Outgoing; Is_Empty : Boolean) return Boolean is
+     (Line.Sent < Place'Last and then (Line.Is_Laws or else not Is_Empty))
+   with Global => null;
+
+   function Next_Piece (Line : Outgoing; Is_Empty : Boolean) return Piece is
+     (if Has_Piece (Line, Is_Empty)
       then Piece_At
         ((if Line.Is_Laws and then Line.Is_Cards then Card_Status.Row_Number
           elsif Line.Is_Laws then Law_Status.Row_Number
@@ -153,8 +126,9 @@ package URV.LOG_Steps with Pure, SPARK_Mode is
       else No_Piece)
    with Global => null;
 
-   function After (Line : Outgoing; Log : Error_Log) return Outgoing is
-     (if Has_Piece (Line, Log) then (Line with delta Sent => Line.Sent + 1)
+   function After (Line : Outgoing; Is_Empty : Boolean) return Outgoing is
+     (if Has_Piece (Line, Is_Empty)
+      then (Line with delta Sent => Line.Sent + 1)
       else Line)
    with Global => null;
 

@@ -17,10 +17,11 @@ package body URV.LOG_Task with SPARK_Mode is
    end Initialise;
 
    procedure Run_Transaction is
-      Tally : constant Statistics := Telemetry_Board.Tally;
-      Last  : constant Progress   := Seen.Contents;
-      Fresh : Count;
-      Log   : Error_Log;
+      Tally      : constant Statistics := Telemetry_Board.Tally;
+      Last       : constant Progress   := Seen.Contents;
+      Fresh      : Count;
+      All_Errors : Logs.Summary;
+      History    : Logs.History;
    begin
       for Error in Link_Error loop
          Fresh := New_Errors (Last, Tally, Error);
@@ -29,11 +30,10 @@ package body URV.LOG_Task with SPARK_Mode is
          end if;
       end loop;
 
-      Log := Errors.Contents;
-      CORE_Memory.Write_Status (To_Status (Log));
-      CORE_Memory.Write_Log
-        (Row_Of (Last.Kind_In_Turn),
-         To_Row (Logs.History_Of (Log, Last.Kind_In_Turn)));
+      All_Errors := Errors.Summary;
+      CORE_Memory.Write_Status (To_Status (All_Errors));
+      History := Errors.History_Of (Last.Kind_In_Turn);
+      CORE_Memory.Write_Log (Row_Of (Last.Kind_In_Turn), To_Row (History));
       Seen.Write (After (Last, Tally));
    end Run_Transaction;
 

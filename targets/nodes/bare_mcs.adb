@@ -12,6 +12,9 @@ with URVOS.Starts;  use URVOS.Starts;
 
 package body Bare_MCS is
 
+   --  The servos' board may have lost its words at a start.
+   Must_Write : Boolean := True;
+
    procedure Begin_Start (Condition : Start_Condition);
 
    procedure Tick_Boards;
@@ -24,6 +27,7 @@ package body Bare_MCS is
 
    procedure Begin_Start (Condition : Start_Condition) is
    begin
+      Must_Write := True;
       MCS.Bare_Metal.Begin_Start (Condition, MCS.Schedule.Contents);
    end Begin_Start;
 
@@ -33,8 +37,13 @@ package body Bare_MCS is
    end Tick_Boards;
 
    procedure Write_Outputs is
+      Changed : Boolean;
    begin
-      Targets.Write_Servos (MCS.PWM_Board.Contents);
+      MCS.PWM_Board.Look_For_Change (Changed);
+      if Changed or else Must_Write then
+         Must_Write := False;
+         Targets.Write_Servos (MCS.PWM_Board.Contents);
+      end if;
    end Write_Outputs;
 
    procedure Set_Laws (On : Boolean) is

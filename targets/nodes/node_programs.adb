@@ -17,9 +17,6 @@ with URVOS;            use URVOS;
 
 package body Node_Programs is
 
-   --  A conversion is under way.
-   Is_Converting : Boolean := False with Volatile;
-
    --  The clock has ticked since the node last looked for work. Looking costs
    --  more than most interrupts.
    Has_Ticked : Boolean := False with Volatile;
@@ -48,7 +45,6 @@ package body Node_Programs is
    begin
       AD_Board.Take_Start (Wanted, Channel);
       if Wanted then
-         Is_Converting := True;
          Targets.Convert (Channel);
       end if;
    end Serve_Converter;
@@ -63,15 +59,18 @@ package body Node_Programs is
 
    procedure On_Converted (Value : Unsigned_32) is
       Interrupt : Boolean;
+      Wanted    : Boolean;
+      Channel   : Channel_Number;
    begin
-      Is_Converting := False;
       AD_Board.Finish (Word (Value and 16#FFF#), Interrupt);
       if Interrupt then
          AD_Interrupt;
       end if;
-      Serve_Converter;
-      Scan_Ended := not Is_Converting;
-      if Scan_Ended then
+      AD_Board.Take_Start (Wanted, Channel);
+      if Wanted then
+         Targets.Convert (Channel);
+      else
+         Scan_Ended := True;
          Awake := Targets.Up;
       end if;
    end On_Converted;
@@ -89,7 +88,6 @@ package body Node_Programs is
    procedure Run (Condition : Start_Condition) is
    begin
       Targets.Open;
-      Is_Converting := False;
       Scan_Ended := False;
       Has_Ticked := True;
       if Condition /= Processor_Restart then
@@ -130,9 +128,9 @@ package body Node_Programs is
             else
                Scan_Ended := False;
                Node.Look_Again;
+               Serve_Converter;
+               Line.Hurry;
             end if;
-            Serve_Converter;
-            Line.Hurry;
          end loop;
       end loop;
    end Run;

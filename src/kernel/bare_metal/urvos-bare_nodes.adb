@@ -27,6 +27,10 @@ is
       --  A request abandons a start in progress.
       procedure Request (Condition : Start_Condition);
 
+      --  The next order is to carry on: Look would change nothing. Its
+      --  record is costly on a small processor.
+      function Carries_On return Boolean;
+
       procedure Look (Next_Order : out Order);
 
       procedure Note_Tested (Passed : Boolean; Numbers : Number_List);
@@ -53,7 +57,10 @@ is
    package Executive is
      new URVOS.Executives (Software.Step, Software.Report_Overrun, Read_Clock);
 
-   --  Carries out the orders that precede the tasks' steps.
+   --  Reports the tick to the tasks.
+   procedure Carry_On;
+
+   --  Carries out the orders of a start.
    procedure Follow_Orders;
 
    --  Runs steps until no task is due or a task runs on after EXIT.
@@ -79,6 +86,9 @@ is
          State := (others => <>);
          State := Requested (State, Condition);
       end Request;
+
+      function Carries_On return Boolean is
+        (State.Doing = Running and then not State.Is_Wanted);
 
       procedure Look (Next_Order : out Order) is
       begin
@@ -108,7 +118,7 @@ is
       Guard.Take_Ticks (Number);
       for Each in 1 .. Number loop
          Software.Look_At_Frame (1, Request);
-         Clock := Ticked (Clock, Request);
+         Take_Tick (Clock, Request);
       end loop;
       Software.Tell_Time (Clock.Now);
    end Follow_Clock;
@@ -122,6 +132,13 @@ is
       Now := Clock_Tick'Max (Now, Clock.Now);
    end Read_Clock;
 
+   procedure Carry_On is
+   begin
+      if not Clock.Held then
+         Executive.Clock_Interrupt (Clock.Now);
+      end if;
+   end Carry_On;
+
    procedure Follow_Orders is
       Next_Order : Order;
       Passed     : Boolean;
@@ -133,10 +150,8 @@ is
             when Stand_Still =>
                exit;
 
-            when Carry_On =>
-               if not Clock.Held then
-                  Executive.Clock_Interrupt (Clock.Now);
-               end if;
+            when Start_Orders.Carry_On =>
+               Carry_On;
                exit;
 
             when Begin_Start =>
@@ -185,9 +200,15 @@ is
    end Has_Work;
 
    procedure Serve is
+      Carries_On : Boolean;
    begin
       Follow_Clock;
-      Follow_Orders;
+      Carries_On := Guard.Carries_On;
+      if Carries_On then
+         Carry_On;
+      else
+         Follow_Orders;
+      end if;
       Run_Steps;
    end Serve;
 

@@ -2,6 +2,12 @@
 
 package body URVOS.Schedulers.Calls with SPARK_Mode is
 
+   --  Moves one TCB to the end.
+   procedure Move_To_End (Turns : in out Turn_Table; Which : TCB_Number)
+   with
+     Inline,
+     Post => Turns = With_Last (Turns'Old, Which);
+
    --  Gives a TCB a new value and the last turn.
    procedure Queue
      (S     : in out Scheduler;
@@ -21,6 +27,27 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
      Pre  => S.TCBs (Which).Id /= No_Task,
      Post => S = Switched_To (S'Old, Which);
 
+   procedure Move_To_End (Turns : in out Turn_Table; Which : TCB_Number) is
+      --  Without the predicate, which does not hold in the loop.
+      type Turn_Numbers is array (TCB_Number) of Turn with Alignment => 2;
+
+      Mine  : constant Turn := Turns (Which);
+      Moved : Turn_Numbers  := Turn_Numbers (Turns);
+   begin
+      for Each in TCB_Number loop
+         if Moved (Each) > Mine then
+            Moved (Each) := Moved (Each) - 1;
+         end if;
+         pragma Loop_Invariant
+           (for all Place in TCB_Number =>
+              (if Place <= Each and then Place /= Which
+               then Moved (Place) = With_Last (Turns, Which) (Place)
+               else Moved (Place) = Turns (Place)));
+      end loop;
+      Moved (Which) := Turn'Last;
+      Turns := Turn_Table (Moved);
+   end Move_To_End;
+
    procedure Queue
      (S     : in out Scheduler;
       Which : TCB_Number;
@@ -30,7 +57,7 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
          S.Running := No_TCB;
       end if;
       S.TCBs (Which) := Value;
-      S.Turns := With_Last (S.Turns, Which);
+      Move_To_End (S.Turns, Which);
    end Queue;
 
    procedure Switch_To (S : in out Scheduler; Which : TCB_Number) is

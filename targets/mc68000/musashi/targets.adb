@@ -82,7 +82,9 @@ package body Targets is
    Emulator : Emulator_Board
    with Import, Volatile, Address => To_Address (16#F3_0000#);
 
-   Ticks     : Unsigned_32 := 0;
+   --  The frame of the flight's record, and the ticks left in it.
+   Frame     : Unsigned_32 := 0;
+   Ticks     : Natural     := 10;
    Has_Begun : Boolean     := False;
 
    procedure On_Clock
@@ -133,15 +135,17 @@ package body Targets is
       Unused_Is_Due : Boolean;
    begin
       Take_Period (Clock_Chip, Unused_Is_Due);
-      Ticks := Ticks + 1;
+      Ticks := Ticks - 1;
       if Emulator.Is_Over = 1 then
          End_Run;
       end if;
-      if Ticks mod 10 = 0 then
+      if Ticks = 0 then
          Emulator.Stop_Time := 1;
          Put ("row");
-         Put_Labelled ("frame", Ticks / 10 - 1);
+         Put_Labelled ("frame", Frame);
          Put_Row;
+         Ticks := 10;
+         Frame := Frame + 1;
          Emulator.Stop_Time := 0;
       end if;
       On_Tick;
