@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """bin/urv: the ground station's commands, a module for each (GND-10).
 
-A command's module imports at its top only the packages of every set-up: typer
-and Python's own. Packages that `scripts/setup.sh fly` omits are imported at
-their use, so that help is quick, and no command needs another's packages.
+Only the module of the called command is imported, so that help is quick. A
+command's module imports at its top only the packages of every set-up: typer and
+Python's own. Packages that `scripts/setup.sh fly` omits are imported at their
+use, so that no command needs another's packages.
 
 Exit status, as bin/urv_sim's: 0 done; 1 an output cannot be written, or
 another failure; 2 bad command line or bad input; 130 interrupted, for a
 command that would have ended by itself (D-39).
 """
 
+import importlib
 import os
 import signal
 import sys
@@ -17,18 +19,64 @@ from pathlib import Path
 
 import typer
 
-from urv import (card, convert, faults, ground, identify, keygen, mavlink,
-                 monte_carlo, pictures, recorder, report, station, xtce,
-                 yamcs_gate)
+from urv import faults
 
 # Typer's status for an interrupt, too.
 INTERRUPTED = 130
 
 ROOT = Path(__file__).resolve().parents[2]
 
+# The line of each command in the list of all. The module
+# is named like it, with _ for -. It has the command's function, or an app of
+# several commands.
+COMMANDS = {
+    "convert": "Convert a record without loss.",
+    "report": "Make a report of a flight, as HTML.",
+    "identify": "Estimate stability and control derivatives from flights.",
+    "xtce": "Write the mission database, for Yamcs.",
+    "station": "Serve the page, for flying and watching.",
+    "mavlink": "Send the flight as MAVLink 2, until interrupted.",
+    "ground": "Fly in real time, with page and Yamcs.",
+    "keygen": "Make a key of the sealed link.",
+    "pictures": "Make the pictures of README: page, display in Yamcs, report.",
+    "monte-carlo": "Fly many flights in random conditions.",
+    "yamcs-gate": "Serve the pages of a Yamcs to this machine.",
+    "card": "Check test cards, plot them, make their orders.",
+    "recorder": "Fetch the aircraft's flight recorder.",
+}
+
+
+def command_of(name):
+    """The command, from its module."""
+    module = importlib.import_module(f"urv.{name.replace('-', '_')}")
+    alone = typer.Typer(rich_markup_mode=None)
+    if hasattr(module, "app"):
+        alone.add_typer(module.app, name=name)
+    else:
+        alone.command(name)(getattr(module, name.replace("-", "_")))
+    return typer.main.get_group(alone).commands[name]
+
+
+class Commands(typer.core.TyperGroup):
+    """All commands, each imported at its use."""
+
+    def __init__(self, **more):
+        super().__init__(**{**more, "commands": dict.fromkeys(COMMANDS)})
+
+    def get_command(self, ctx, cmd_name):
+        if cmd_name in COMMANDS and not self.commands[cmd_name]:
+            self.commands[cmd_name] = command_of(cmd_name)
+        return self.commands.get(cmd_name)
+
+    def format_commands(self, ctx, formatter):
+        with formatter.section("Commands"):
+            formatter.write_dl(list(COMMANDS.items()))
+
+
 app = typer.Typer(
-    name="urv", invoke_without_command=True, add_completion=False,
-    rich_markup_mode=None, pretty_exceptions_enable=False,
+    name="urv", cls=Commands, invoke_without_command=True,
+    add_completion=False, rich_markup_mode=None,
+    pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]})
 
 
@@ -56,21 +104,6 @@ def urv(
     """The ground station: records, reports, displays."""
     if context.invoked_subcommand is None:
         raise faults.Refused(f"no command; {choices(context)}")
-
-
-app.command()(convert.convert)
-app.command()(report.report)
-app.command()(identify.identify)
-app.add_typer(card.app, name="card")
-app.add_typer(recorder.app, name="recorder")
-app.command()(xtce.xtce)
-app.command()(station.station)
-app.command()(mavlink.mavlink)
-app.command()(ground.ground)
-app.command()(keygen.keygen)
-app.command()(pictures.pictures)
-app.command("monte-carlo")(monte_carlo.monte_carlo)
-app.command("yamcs-gate")(yamcs_gate.yamcs_gate)
 
 
 def interrupt(_signal, _frame):

@@ -18,11 +18,30 @@ def test_gnd10_help_names_every_command_and_each_has_help(urv):
     result = urv("--help")
     assert (result.returncode, result.stderr) == (0, "")
     commands = re.findall(
-        r"^  ([a-z]+) ", result.stdout.partition("Commands:")[2], re.M)
-    for command in commands:
+        r"^  ([a-z-]+) +(.+)$", result.stdout.partition("Commands:")[2], re.M)
+    assert len(commands) == 13
+    for command, line in commands:
         help_of_it = urv(command, "--help")
         assert help_of_it.returncode == 0, command
         assert help_of_it.stdout.startswith(f"Usage: urv {command}"), command
+        assert f"\n\n  {line}\n" in help_of_it.stdout, command
+
+
+LOADED = """
+import sys
+from urv import main
+main.main(["--help"])
+print(*sorted(name for name in sys.modules if name.startswith("urv.")))
+"""
+
+
+def test_gnd10_help_imports_no_command():
+    """A command's packages take most of the time of a start."""
+    result = subprocess.run(
+        [sys.executable, "-B", "-c", LOADED], text=True, capture_output=True,
+        check=False, timeout=TIME_LIMIT_S,
+        env={**os.environ, "PYTHONPATH": str(ROOT / "ground")})
+    assert result.stdout.splitlines()[-1] == "urv.faults urv.main"
 
 
 def test_gnd10_without_a_command_the_choices_are_listed(urv):
