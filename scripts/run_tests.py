@@ -10,10 +10,12 @@ tests in Ada, with and without their contracts executed; the tests in Python of
 the simulation, of the real-time partitions and of the ground station; likely
 changes, built, tested and flown in a copy; the links of the requirements, the
 static data of each node, the proof record; both nodes on bare machines.
-Each test is a line, once; where none comes for 15 s a line says what goes on.
-A part that cannot be built or run counts as one failed test, and the other
-parts run all the same. Before the last line come the slowest tests, the failed
-ones, and each part with its result and time (EVI-11).
+All is built first. The parts in real time then run one after another beside
+the others, which give way to them: they wait more than they work. Each test is
+a line, once; after 15 s without one, lines name what goes on. A part's other
+output comes at its end. A part that cannot be built or run counts as one failed
+test, and the other parts run all the same. Before the last line come the
+slowest tests, the failed ones, and each part with its result and time (EVI-11).
 Exit status: 0 when none failed and at least one passed.
 """
 
@@ -38,6 +40,9 @@ TOTALS = re.compile(r"^(\d+) passed, (\d+) failed, (\d+) skipped$")
 UNIT_TEST = re.compile(r"^(ok  |FAIL) (.+)$")
 SLOWEST = 10
 
+# The line of a test in Python, from its worker.
+PYTHON_TEST = re.compile(r"^\[gw\d+\] \[ *\d+%\] [A-Z]+ ")
+
 # The longest time without a line.
 SILENCE_S = 15.0
 
@@ -60,6 +65,11 @@ LIVE_AT_ONCE = {"real_time": "6", "ground": "6"}
 # A test that hangs fails after this time: the longest builds three programs and
 # flies them, in 3 min on an idle machine.
 LIMIT_S = "1200"
+
+# A command gives way to others. Linux gives each session, too, a priority, which
+# one without rights may lower.
+GIVE_WAY = ["nice", "-n", "5", "sh", "-c",
+            "{ echo 5 >/proc/self/autogroup; } 2>/dev/null; exec \"$@\"", "sh"]
 
 # The other tests run one more than there are processors: some of them wait.
 ONE_MORE = str(len(os.sched_getaffinity(0)) + 1)
@@ -85,9 +95,9 @@ class Screen:
         self.lock = threading.Lock()
         self.last = time.monotonic()
 
-    def put(self, line):
+    def put(self, text):
         with self.lock:
-            sys.stdout.write(line)
+            sys.stdout.write(text)
             sys.stdout.flush()
             self.last = time.monotonic()
 
@@ -116,41 +126,64 @@ class Screen:
 screen = Screen()
 
 
-def run(*command, what=None, env=None):
-    """Run a command with its output on ours, return its exit status."""
+def run(*command, what=None, env=None, at_once=None, gives_way=False):
+    """Run a command with its output on ours, return its exit status. If a
+    pattern is given, lines that it matches come at once, the others at the
+    end."""
+    held = []
     with screen.working(what or " ".join(map(str, command[:3]))), \
             subprocess.Popen(
-                command, cwd=ROOT, stdout=subprocess.PIPE, env=env,
-                stderr=subprocess.STDOUT, text=True, errors="replace"
+                [*(GIVE_WAY if gives_way else []), *map(str, command)],
+                cwd=ROOT, stdout=subprocess.PIPE, env=env,
+                stderr=subprocess.STDOUT, text=True, errors="replace",
+                start_new_session=gives_way
             ) as running:
-        for line in running.stdout:
-            screen.put(line)
+        try:
+            for line in running.stdout:
+                if at_once and not at_once.match(line):
+                    held.append(line)
+                else:
+                    screen.put(line)
+        except KeyboardInterrupt:
+            if gives_way:
+                # The terminal does not interrupt another session.
+                os.killpg(running.pid, signal.SIGINT)
+            raise
+    screen.put("".join(held))
     return running.returncode
 
 
+# The projects that were built, each with its mode, and whether they could be.
+built = {}
+
+
 def build(project, mode):
-    """True if it was built. Warnings are errors."""
-    screen.put(f"building {project}\n")
-    status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}",
-                 what=f"building {project}")
-    if status != 0:
-        tests.append(Test(0, True, f"building {project}"))
-    return status == 0
+    """True if it was built. Warnings are errors. It is built once."""
+    if (project, mode) not in built:
+        screen.put(f"building {project}, {mode}\n")
+        status = run(*GPRBUILD, "-P", project, f"-XURV_Mode={mode}",
+                     what=f"building {project}")
+        built[project, mode] = status == 0
+        if status != 0:
+            tests.append(Test(0, True, f"building {project}, {mode}"))
+    return built[project, mode]
 
 
 def every_source():
-    """Theorems too, which no program needs, and programs that no test runs."""
-    return (1, 0, 0) if all([
-        build("urv.gpr", "flight"),
-        build("sim/urv_sim.gpr", "test")]) else BROKEN
+    """Theorems too, which no program needs, and programs that no test runs. No
+    other part builds after this one, for programs that run stay as they are."""
+    return (1, 0, 0) if all([build(*each) for each in (
+        ("urv.gpr", "flight"), ("sim/urv_sim.gpr", "test"), SIMULATION,
+        PARTITIONS, (UNIT_TESTS, "test"), (UNIT_TESTS, "host"))]) else BROKEN
 
 
 def unit_tests(mode):
     """Every so-maniest test in a process of its own, for each processor one."""
-    if not build("tests/urv_tests.gpr", mode):
+    if not build(UNIT_TESTS, mode):
         return BROKEN
     shares = len(os.sched_getaffinity(0))
-    with screen.working("unit tests"), concurrent.futures.ThreadPoolExecutor(shares) as pool:
+    with screen.working("unit tests"), \
+            concurrent.futures.ThreadPoolExecutor(shares) as pool:
         totals = list(pool.map(
             lambda number: unit_share(mode, number, shares),
             range(1, shares + 1)))
@@ -159,7 +192,8 @@ def unit_tests(mode):
 
 def unit_share(mode, number, shares):
     totals = None
-    command = [f"bin/urv_tests_{mode}", str(number), str(shares)]
+    program = f"bin/urv_tests_{mode}"
+    command = ["nice", "-n", "5", program, str(number), str(shares)]
     began = time.monotonic()
     with subprocess.Popen(
         command, cwd=ROOT, stdout=subprocess.PIPE, text=True
@@ -174,18 +208,19 @@ def unit_share(mode, number, shares):
                 began = now
     # Its last line is its totals, or it did not get to its end.
     if not totals:
-        early = f"{' '.join(command)} ended early, status {running.returncode}"
-        print(early)
+        early = f"{program} {number} {shares} ended early, status {running.returncode}"
+        screen.put(f"{early}\n")
         tests.append(Test(0, True, early))
         return BROKEN
     return tuple(map(int, totals.groups()))
 
 
 def python_tests(projects, name, without=(), at_once=ONE_MORE,
-                 spread="loadfile", told=None):
+                 spread="loadfile", told=None, live=False):
     """Build what the tests of a folder fly, then run them: as many at once as
     are named. Those of one file or group run one after another, unless they
-    are spread otherwise."""
+    are spread otherwise. They give way to other programs, unless they are
+    live."""
     if not all([build(project, mode) for project, mode in projects]):
         return BROKEN
     report = RESULTS / f"{told or name}.xml"
@@ -202,7 +237,7 @@ def python_tests(projects, name, without=(), at_once=ONE_MORE,
     path = os.pathsep.join(filter(
         None, [str(Path(__file__).parent), os.environ.get("PYTHONPATH")]))
     status = run(*pytest, f"tests/{name}", what=f"tests of {told or name}",
-                 env={**os.environ, "PYTHONPATH": path})
+                 at_once=PYTHON_TEST, gives_way=not live, env={**os.environ, "PYTHONPATH": path})
     # 0: all passed; 1: some failed. Otherwise pytest itself went wrong, or
     # found no test.
     if status not in (0, 1) or not report.exists():
@@ -226,6 +261,7 @@ def python_test(case):
                 f"{place}.py::{case.get('name')}")
 
 
+UNIT_TESTS = "tests/urv_tests.gpr"
 SIMULATION = ("sim/urv_sim.gpr", "host")
 PARTITIONS = ("real_time/urv_real_time.gpr", "flight")
 
@@ -240,7 +276,7 @@ def quick_simulation_tests():
 
 def real_time_tests():
     return python_tests([PARTITIONS], "real_time", spread="worksteal",
-                        at_once=LIVE_AT_ONCE["real_time"])
+                        live=True, at_once=LIVE_AT_ONCE["real_time"])
 
 
 def live_ground_tests():
@@ -248,7 +284,7 @@ def live_ground_tests():
              for path in (ROOT / "tests" / "ground").glob("test_*.py")]
     return python_tests([SIMULATION, PARTITIONS], "ground",
                         [name for name in names if name not in LIVE],
-                        told="ground-live", spread="worksteal",
+                        told="ground-live", spread="worksteal", live=True,
                         at_once=LIVE_AT_ONCE["ground"])
 
 
@@ -289,7 +325,7 @@ def record_is_current():
 
 def proof():
     if not shutil.which("gnatprove"):
-        print("skipped: gnatprove is not on the PATH")
+        screen.put("skipped: gnatprove is not on the PATH\n")
         return 0, 0, 1
     return one_test("scripts/proof_record.py", "check")
 
@@ -299,8 +335,8 @@ PARTS = {
     "unit tests, contracts executed": lambda: unit_tests("test"),
     "unit tests, contracts not executed": lambda: unit_tests("host"),
     "simulation": simulation_tests,
-    "real time": real_time_tests,
     "ground station, live": live_ground_tests,
+    "real time": real_time_tests,
     "ground station": ground_tests,
     "bare machines": target_tests,
     "likely changes": change_tests,
@@ -309,6 +345,9 @@ PARTS = {
     "proof record is of these sources": record_is_current,
     "proof shows the recorded checks": proof,
 }
+
+# These wait more than they work.
+REAL_TIME = ("ground station, live", "real time")
 
 QUICK_PARTS = {
     **{name: PARTS[name] for name in PARTS
@@ -349,8 +388,38 @@ def run_part(part, name):
         screen.put(f"{name}: {fault!r}\n")
         tests.append(Test(0, True, name))
         counts = BROKEN
-    screen.put("\n")
-    return counts, time.monotonic() - began
+    took = time.monotonic() - began
+    screen.put(f"== {name}: {totals_line(counts)}, in {duration(took)}\n\n")
+    return counts, took
+
+
+def run_parts(parts):
+    """The results of the parts, in their order. Those in real time run beside
+    the others but for the first, which builds, and the last, the proof."""
+    names = list(parts)
+    live = [name for name in names if name in REAL_TIME]
+    others = [name for name in names if name not in REAL_TIME]
+    results = {}
+
+    def run_all(some):
+        for name in some:
+            results[name] = run_part(parts[name], name)
+
+    if not live or not others:
+        run_all(names)
+    else:
+        before = [name for name in others if parts[name] is every_source]
+        after = [name for name in others if parts[name] is proof]
+        run_all(before)
+        for project, mode in (SIMULATION, PARTITIONS):
+            build(project, mode)
+        beside = threading.Thread(target=run_all, args=(live,),
+                                  daemon=True)
+        beside.start()
+        run_all([name for name in others if name not in before + after])
+        beside.join()
+        run_all(after)
+    return {name: results[name] for name in names}
 
 
 def main():
@@ -359,7 +428,7 @@ def main():
     signal.signal(signal.SIGINT, signal.default_int_handler)
     RESULTS.mkdir(parents=True, exist_ok=True)
     parts = chosen(sys.argv[1:])
-    results = {name: run_part(part, name) for name, part in parts.items()}
+    results = run_parts(parts)
     counts = {name: results[name][0] for name in parts}
     print("== slowest tests")
     for test in sorted(tests, reverse=True)[:SLOWEST]:

@@ -4,6 +4,7 @@
 import os
 import subprocess
 import sys
+import threading
 
 import pytest
 from conftest import ROOT
@@ -70,6 +71,47 @@ def test_what_is_slow_and_what_failed_is_named_at_the_end(
     assert "only: 19 passed, 1 failed, 0 skipped, in 0 s" in lines
 
 
+def test_parts_in_real_time_run_beside_others_and_the_proof_last(
+        place, monkeypatch, capsys):
+    """Each waits until the part beside it has begun."""
+    begun = {name: threading.Event() for name in ("live", "busy")}
+    order = []
+
+    def part(name, awaited=None):
+        def run_it():
+            order.append(name)
+            if awaited:
+                begun[name].set()
+                assert begun[awaited].wait(60)
+            return 1, 0, 0
+        return run_it
+
+    first, last = part("first"), part("last")
+    monkeypatch.setattr(run_tests, "REAL_TIME", ("live",))
+    monkeypatch.setattr(run_tests, "every_source", first)
+    monkeypatch.setattr(run_tests, "proof", last)
+    monkeypatch.setattr(run_tests, "PARTS", {
+        "first": first, "live": part("live", "busy"),
+        "busy": part("busy", "live"), "last": last})
+    monkeypatch.setattr(sys, "argv", ["run_tests.py"])
+    assert run_tests.main() == 0
+    assert (order[0], order[-1]) == ("first", "last")
+    assert capsys.readouterr().out.splitlines()[-1] == (
+        "4 passed, 0 failed, 0 skipped")
+
+
+def test_a_command_s_lines_of_tests_come_at_once_and_others_last(
+        place, capsys):
+    line = "[gw0] [ 50%] PASSED tests/a.py::test_b"
+    status = run_tests.run(
+        "sh", "-c", f"echo head; echo '{line}'; nice; exit 3",
+        at_once=run_tests.PYTHON_TEST, gives_way=True)
+    assert status == 3
+    least = os.nice(0) + 5
+    assert capsys.readouterr().out.splitlines() == [
+        line, "head", str(min(least, 19))]
+
+
 def test_a_part_that_raises_an_exception_has_failed(
         place, monkeypatch, capsys):
     monkeypatch.setattr(run_tests, "PARTS", {"real time": lambda: 1 / 0})
@@ -128,7 +170,7 @@ def python_tests(place, text, without=()):
     (folder / "test_other.py").write_text("def test_it(): pass\n",
                                           encoding="utf-8")
     return run_tests.python_tests(
-        [("some.gpr", "host")], "some", without)
+        [("some.gpr", "host")], "some", without, at_once="1")
 
 
 def test_python_tests_are_counted_and_failed_ones_named(place):
