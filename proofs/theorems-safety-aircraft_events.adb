@@ -59,7 +59,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
        and then Flown.Is_Sent = (Usual.On or else Fresh)
        and then
          (if Flown.Is_Sent
-          then Is_Flown (Flown.Message, Scans, Flown_From, Flown.By_Law))
+          then Is_Flown
+            (Flown.Message, Scans, Flown_From, Flown.By_Law, Flown.Sticks))
        and then Flown_From in Heard_From | From
        and then
          (if Fresh
@@ -76,6 +77,7 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
        and then
          (if not Usual.On then not Flown.By_Law and then not Flown.By_Card)
        and then Is_Added (Added, Flown.By_Card)
+       and then Is_Added (Flown.Sticks, Flown.By_Card)
        and then
          Is_Reported (Reported, Flown.By_Law)
        and then
@@ -228,7 +230,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
         (if Flown.By_Law or else Flown.By_Card then Heard_From else From);
       pragma Assert
         (if Flown.Is_Sent
-         then Is_Flown (Flown.Message, Scans, Flown_From, Flown.By_Law));
+         then Is_Flown
+           (Flown.Message, Scans, Flown_From, Flown.By_Law, Flown.Sticks));
    end Fly;
 
    procedure Run_LAW
@@ -265,10 +268,12 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          Send (Item.PWM, Flown.Message, Unused_Success);
          Item.PWM_By_Law := Flown.By_Law;
          Item.PWM_By_Card := Flown.By_Card;
+         Item.PWM_Sticks := Flown.Sticks;
          Item.PWM_From := Flown_From;
          pragma Assert
            (Is_Flown
-              (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law));
+              (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law,
+               Item.PWM_Sticks));
          if Is_Passed_On then
             Same_Through (Flown.Message, Commands, Given);
             Same_Through (Contents (Item.PWM), Flown.Message, Given);
@@ -309,7 +314,9 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
       Receive (Item.PWM, Message, Fresh);
       pragma Assert (Item.PWM_From <= Done);
       pragma Assert
-        (Is_Flown (Message, Scans, Item.PWM_From, Item.PWM_By_Law));
+        (Is_Flown
+           (Message, Scans, Item.PWM_From, Item.PWM_By_Law,
+            Item.PWM_Sticks));
       if URV.PWM_Steps.Is_Written (Message, Fresh) then
          pragma Assert
            (if Item.Reported.Failed /= URV.Surfaces.None
@@ -320,6 +327,7 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          Item.Board_Of := Message;
          Item.Board_From := Item.PWM_From;
          Item.Board_By_Law := Item.PWM_By_Law;
+         Item.Board_Sticks := Item.PWM_Sticks;
       end if;
       pragma Assert (Places_Are_Sound (Item, Scans, Done));
    end Run_PWM;
@@ -372,6 +380,7 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          Item.PWM_From := 0;
          Item.PWM_By_Law := False;
          Item.PWM_By_Card := False;
+         Item.PWM_Sticks := No_Sticks;
          Item.Reported := All_Well;
          Item.Added := Nothing_Added;
          Item.CORE := (others => 0);
@@ -384,6 +393,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
          Item.Board_Of := Neutral_Uplink;
          Item.Board_From := 0;
          Item.Board_By_Law := False;
+         Item.Board_Sticks := No_Sticks;
+         Of_A_Scan_Is_Flown (Neutral_Uplink, Scans, 0);
          Nothing_Is_Added (Transform (Neutral_Uplink), Nothing_Added);
          pragma Assert
            (Item.Board =
@@ -417,7 +428,8 @@ package body Theorems.Safety.Aircraft_Events with SPARK_Mode is
         (Is_Of (Contents (Item.Commands), Scans, Item.Commands_From));
       pragma Assert
         (Is_Flown
-           (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law));
+           (Contents (Item.PWM), Scans, Item.PWM_From, Item.PWM_By_Law,
+            Item.PWM_Sticks));
       pragma Assert
         (if not Item.Board_Made_Up
          then Item.Board =

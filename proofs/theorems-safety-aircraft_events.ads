@@ -64,6 +64,7 @@ private package Theorems.Safety.Aircraft_Events with SPARK_Mode, Ghost is
           then not Item.PWM_By_Law
             and then not Item.PWM_By_Card
             and then Item.Added = Nothing_Added
+            and then Item.PWM_Sticks = No_Sticks
             and then Contents (Item.PWM) = Contents (Item'Old.Commands))
        and then
          (if Is_Fresh (Item'Old.Commands)

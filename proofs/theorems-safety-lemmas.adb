@@ -32,21 +32,48 @@ package body Theorems.Safety.Lemmas with SPARK_Mode is
    end Nothing_Is_Added;
 
    procedure Same_Outputs
-     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+     (Item   : Uplink_Buffer;
+      Scans  : Scan_History;
+      Scan   : Scan_Count;
+      Sticks : Stick_Inputs)
    is
-      Other : constant Uplink_Buffer :=
+      Given : constant Uplink_Buffer :=
         To_Uplink (Stamped (Held (Scans, Scan), Fresh => True));
+      Other : constant Uplink_Buffer := With_Sticks (Given, Sticks);
    begin
+      pragma Assert
+        (for all Name in Command_Item =>
+           Given (Name) = Held (Scans, Scan) (Channel_Of (Name)));
       pragma Assert
         (for all Name in Command_Item => Item (Name) = Other (Name));
       pragma Assert (Packed_Switches (Item) = Packed_Switches (Other));
       pragma Assert (Flap_Command (Item) = Flap_Command (Other));
-      Same_Area (Transform (Item), Outputs_Of (Scans, Scan));
+      Same_Area (Transform (Item), Outputs_Of (Scans, Scan, Sticks));
    end Same_Outputs;
 
-   procedure Same_Switches
-     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   procedure Without_Sticks
+     (Scans : Scan_History; Scan : Scan_Count; Sticks : Stick_Inputs)
    is
+      Given : constant Uplink_Buffer :=
+        To_Uplink (Stamped (Held (Scans, Scan), Fresh => True));
+      Other : constant Uplink_Buffer := With_Sticks (Given, Sticks);
+   begin
+      pragma Assert
+        (for all Name in Command_Item => Given (Name) = Other (Name));
+      pragma Assert (Packed_Switches (Given) = Packed_Switches (Other));
+      pragma Assert (Flap_Command (Given) = Flap_Command (Other));
+      Same_Area
+        (Outputs_Of (Scans, Scan, Sticks), Outputs_Of (Scans, Scan));
+   end Without_Sticks;
+
+   procedure Same_Switches
+     (Item   : Uplink_Buffer;
+      Scans  : Scan_History;
+      Scan   : Scan_Count;
+      By_Law : Boolean;
+      Sticks : Stick_Inputs)
+   is
+      pragma Unreferenced (By_Law, Sticks);
       Other : constant Uplink_Buffer :=
         To_Uplink (Stamped (Held (Scans, Scan), Fresh => True));
    begin
@@ -79,16 +106,18 @@ package body Theorems.Safety.Lemmas with SPARK_Mode is
    end Flaps_Are_Up;
 
    procedure Switches_Are_Out
-     (Area  : Data_Area;
-      Item  : Uplink_Buffer;
-      Added : Increments;
-      Scans : Scan_History;
-      Scan  : Scan_Count)
+     (Area   : Data_Area;
+      Item   : Uplink_Buffer;
+      Added  : Increments;
+      Scans  : Scan_History;
+      Scan   : Scan_Count;
+      By_Law : Boolean;
+      Sticks : Stick_Inputs)
    is
       Given  : constant PWM_Buffer := With_Inputs (Transform (Item), Added);
       Wanted : constant PWM_Buffer := Outputs_Of (Scans, Scan);
    begin
-      Same_Switches (Item, Scans, Scan);
+      Same_Switches (Item, Scans, Scan, By_Law, Sticks);
       for Name in PWM_Item range Brake .. Discretes loop
          Area_Has_Output (Area, Given, Name);
          pragma Assert (Given (Name) = Transform (Item) (Name));
@@ -104,6 +133,10 @@ package body Theorems.Safety.Lemmas with SPARK_Mode is
       Bits  : Word;
       Scans : Scan_History;
       Scan  : Scan_Count)
+   is null;
+
+   procedure Of_A_Scan_Is_Flown
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
    is null;
 
    procedure As_Old_Is_Sent

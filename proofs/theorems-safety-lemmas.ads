@@ -5,26 +5,44 @@
 
 private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
 
-   --  Commands of a scan have the outputs of the scan.
+   --  Commands of a scan, with these inputs to its sticks, have the outputs of
+   --  the scan with them.
    procedure Same_Outputs
-     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+     (Item   : Uplink_Buffer;
+      Scans  : Scan_History;
+      Scan   : Scan_Count;
+      Sticks : Stick_Inputs)
    with
      Global => null,
-     Pre    => Is_Of (Item, Scans, Scan),
+     Pre    => Is_Flown (Item, Scans, Scan, False, Sticks),
      Post   =>
        URV.PWM_Layout.To_Data_Area (Transform (Item)) =
-         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan))
+         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan, Sticks))
        and then
          (for all Name in PWM_Item =>
-            Transform (Item) (Name) = Outputs_Of (Scans, Scan) (Name));
+            Transform (Item) (Name) = Outputs_Of (Scans, Scan, Sticks) (Name));
 
-   --  The same for the brake, the flaps and the discretes while a law flies.
-   procedure Same_Switches
-     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   --  Without inputs these are the outputs of the scan.
+   procedure Without_Sticks
+     (Scans : Scan_History; Scan : Scan_Count; Sticks : Stick_Inputs)
    with
      Global => null,
-     Pre    => Is_Flown (Item, Scans, Scan, By_Law => True)
-       or else Is_Flown (Item, Scans, Scan, By_Law => False),
+     Pre    => Sticks = No_Sticks,
+     Post   =>
+       URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan, Sticks)) =
+         URV.PWM_Layout.To_Data_Area (Outputs_Of (Scans, Scan));
+
+   --  The brake, the flaps and the discretes are those of the scan, also while
+   --  a law flies.
+   procedure Same_Switches
+     (Item   : Uplink_Buffer;
+      Scans  : Scan_History;
+      Scan   : Scan_Count;
+      By_Law : Boolean;
+      Sticks : Stick_Inputs)
+   with
+     Global => null,
+     Pre    => Is_Flown (Item, Scans, Scan, By_Law, Sticks),
      Post   =>
        (for all Name in PWM_Item range Brake .. Discretes =>
           Transform (Item) (Name) = Outputs_Of (Scans, Scan) (Name));
@@ -88,19 +106,19 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
    --  The data area of commands that a law may fly, with test inputs, has the
    --  scan's brake, flaps and discretes.
    procedure Switches_Are_Out
-     (Area  : Data_Area;
-      Item  : Uplink_Buffer;
-      Added : Increments;
-      Scans : Scan_History;
-      Scan  : Scan_Count)
+     (Area   : Data_Area;
+      Item   : Uplink_Buffer;
+      Added  : Increments;
+      Scans  : Scan_History;
+      Scan   : Scan_Count;
+      By_Law : Boolean;
+      Sticks : Stick_Inputs)
    with
      Global => null,
      Pre    =>
        Area =
          URV.PWM_Layout.To_Data_Area (With_Inputs (Transform (Item), Added))
-       and then
-         (Is_Flown (Item, Scans, Scan, By_Law => True)
-          or else Is_Flown (Item, Scans, Scan, By_Law => False)),
+       and then Is_Flown (Item, Scans, Scan, By_Law, Sticks),
      Post   =>
        (for all Name in PWM_Item range Brake .. Discretes =>
           Area (URV.PWM_Layout.Channel_Of (Name)) =
@@ -121,6 +139,14 @@ private package Theorems.Safety.Lemmas with SPARK_Mode, Ghost is
        and then Is_Old (As_Old (Item))
        and then Is_Of (As_Old (Marked (Item, Bits)), Scans, Scan)
        and then Is_Old (As_Old (Marked (Item, Bits)));
+
+   --  Commands of a scan are flown without inputs.
+   procedure Of_A_Scan_Is_Flown
+     (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)
+   with
+     Global => null,
+     Pre    => Is_Of (Item, Scans, Scan),
+     Post   => Is_Flown (Item, Scans, Scan, False, No_Sticks);
 
    procedure As_Old_Is_Sent
      (Item : Uplink_Buffer; Scans : Scan_History; Scan : Scan_Count)

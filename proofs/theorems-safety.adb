@@ -87,6 +87,7 @@ package body Theorems.Safety with SPARK_Mode is
          PWM_From    => 0,
          PWM_By_Law  => False,
          PWM_By_Card => False,
+         PWM_Sticks  => No_Sticks,
          Reported    => All_Well,
          Added       => Nothing_Added,
          CORE        => (others => 0),
@@ -97,7 +98,8 @@ package body Theorems.Safety with SPARK_Mode is
          Board_Added   => Nothing_Added,
          Board_Of     => Neutral_Uplink,
          Board_From   => 0,
-         Board_By_Law => False);
+         Board_By_Law => False,
+         Board_Sticks => No_Sticks);
       pragma Assert (Is_Of (Neutral_Uplink, Scans, 0));
       pragma Assert (Is_Reported (All_Well, By_Law => False));
       pragma Assert (Places_Are_Sound (Ground, Scans));
@@ -153,16 +155,22 @@ package body Theorems.Safety with SPARK_Mode is
       Neutral_Is_Safe (Scans);
       pragma Assert (Item.Board_From <= Done);
       if not Item.Board_By_Law then
-         Same_Outputs (Item.Board_Of, Scans, Item.Board_From);
+         Same_Outputs
+           (Item.Board_Of, Scans, Item.Board_From, Item.Board_Sticks);
          Same_With_Inputs
-           (Transform (Item.Board_Of), Outputs_Of (Scans, Item.Board_From),
+           (Transform (Item.Board_Of),
+            Outputs_Of (Scans, Item.Board_From, Item.Board_Sticks),
             Item.Board_Added);
          if Item.Board_From = 0 then
             Nothing_Is_Added
-              (Outputs_Of (Scans, Item.Board_From), Item.Board_Added);
+              (Outputs_Of (Scans, Item.Board_From, Item.Board_Sticks),
+               Item.Board_Added);
+            Without_Sticks (Scans, Item.Board_From, Item.Board_Sticks);
          end if;
       else
-         Same_Switches (Item.Board_Of, Scans, Item.Board_From);
+         Same_Switches
+           (Item.Board_Of, Scans, Item.Board_From, Item.Board_By_Law,
+            Item.Board_Sticks);
          if Item.Board_Made_Up then
             pragma Assert
               (Item.Board (URV.PWM_Layout.Channel_Of (Brake)) =
@@ -173,7 +181,7 @@ package body Theorems.Safety with SPARK_Mode is
          else
             Switches_Are_Out
               (Item.Board, Item.Board_Of, Item.Board_Added, Scans,
-               Item.Board_From);
+               Item.Board_From, Item.Board_By_Law, Item.Board_Sticks);
          end if;
       end if;
    end Servos_Were_Asked_For;
@@ -189,7 +197,9 @@ package body Theorems.Safety with SPARK_Mode is
           (Stamped (Held (Scans, Item.Board_From), Fresh => True));
    begin
       pragma Assert (Item.Board_From <= Done);
-      Same_Switches (Item.Board_Of, Scans, Item.Board_From);
+      Same_Switches
+           (Item.Board_Of, Scans, Item.Board_From, Item.Board_By_Law,
+            Item.Board_Sticks);
       pragma Assert (not Is_On (Commands (Switch)));
       Bit_Is_Off
         (Item.Board (URV.PWM_Layout.Channel_Of (Discretes)), Commands,

@@ -2,12 +2,12 @@
 
 --  Nothing moves that the pilot did not command (SAF-1 to SAF-3, SAF-5, SAF-6,
 --  SAF-10, D-13, D-14, FTI-3, FTI-5). Every servo word is that of one real
---  scan of the ground's converter, with a test card's input, a control law's
---  word while one flies, or the safe word. Old commands and warm starts move
---  nothing. This holds over any sequence of scans, task runs, starts, and
---  lost, late, repeated or reordered blocks, up to the limit Longest. A block
---  altered without a wrong checksum is excluded (D-7), as are faults of the
---  hardware.
+--  scan of the ground's converter, with a test card's input to its stick or to
+--  the servo, a control law's word while one flies, or the safe word. Old
+--  commands and warm starts move nothing. This holds over any sequence of
+--  scans, task runs, starts, and lost, late, repeated or reordered blocks, up
+--  to the limit Longest. A block altered without a wrong checksum is excluded
+--  (D-7), as are faults of the hardware.
 --
 --  The model follows the commands from the ground's converter to the servos
 --  and the aircraft's CORE memory. It consists of the code's own mailboxes,
@@ -26,6 +26,7 @@ with URV.AD_Steps;      use type URV.AD_Steps.Activity;
 with URV.Allocation;    use URV.Allocation;
 with URV.Buffers;       use URV.Buffers;
 with URV.Codecs;
+with URV.Law_Inputs;    use URV.Law_Inputs;
 with URV.LAW_Steps;
 with URV.Laws;
 with URV.Link_Loss;     use URV.Link_Loss;
@@ -79,14 +80,26 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    is (Is_Other_Kind (Item) or else Is_Of (Item, Scans, Scan))
    with Global => null;
 
-   --  The servo words for a scan (figure 13).
+   --  The servo words for a scan (figure 13), with the inputs of a test card
+   --  to its sticks.
+
    function Outputs_Of
      (Scans : Scan_History; Scan : Scan_Count) return PWM_Buffer
    is (Transform (To_Uplink (Stamped (Held (Scans, Scan), Fresh => True))))
    with Global => null;
 
-   --  The same with a law's words in place of the four that it flies. Without
-   --  a scan no law flies
+   function Outputs_Of
+     (Scans : Scan_History; Scan : Scan_Count; Sticks : Stick_Inputs)
+      return PWM_Buffer
+   is
+     (Transform
+        (With_Sticks
+           (To_Uplink (Stamped (Held (Scans, Scan), Fresh => True)), Sticks)))
+   with Global => null;
+
+   --  The commands of a scan, with a test card's inputs to its sticks, or with
+   --  a law's words in place of the four that it flies. Without a scan no law
+   --  flies, and no input is added
 
    subtype Flown_Item is Command_Item range Roll .. Throttle;
 
@@ -94,12 +107,18 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      (Item   : Uplink_Buffer;
       Scans  : Scan_History;
       Scan   : Scan_Count;
-      By_Law : Boolean) return Boolean
+      By_Law : Boolean;
+      Sticks : Stick_Inputs) return Boolean
    is
      ((for all Name in Command_Item =>
          (if not By_Law or else Name not in Flown_Item
-          then Item (Name) = Held (Scans, Scan) (Channel_Of (Name))))
-      and then (if Scan = 0 then Is_Old (Item) and then not By_Law))
+          then Item (Name) =
+            Stick_Word
+              (Held (Scans, Scan) (Channel_Of (Name)),
+               Input_Of (Name, Sticks))))
+      and then
+        (if Scan = 0
+         then Is_Old (Item) and then not By_Law and then Sticks = No_Sticks))
    with Global => null;
 
    --  The same for a place on the path: its scan is one of the Done scans made
@@ -125,8 +144,9 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Scans  : Scan_History;
       Scan   : Scan_Count;
       Done   : Scan_Count;
-      By_Law : Boolean) return Boolean
-   is (Scan <= Done and then Is_Flown (Item, Scans, Scan, By_Law))
+      By_Law : Boolean;
+      Sticks : Stick_Inputs) return Boolean
+   is (Scan <= Done and then Is_Flown (Item, Scans, Scan, By_Law, Sticks))
    with Global => null;
 
    --  The blocks given to the ground's telemetry board.
@@ -235,14 +255,15 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Heard_From  : Scan_Count;
 
       --  By_Law: a law may have set its own words. By_Card: a test card may
-      --  add its inputs.
+      --  add its inputs. Sticks: its inputs to the sticks, in these words.
       PWM         : For_Uplink.Boxes.Mailbox;
       PWM_From    : Scan_Count;
       PWM_By_Law  : Boolean;
       PWM_By_Card : Boolean;
+      PWM_Sticks  : Stick_Inputs;
 
       --  The failed surfaces that others make up for, as reported by LAW, and
-      --  the test inputs.
+      --  the test inputs to the servos.
       Reported    : Health;
       Added       : Increments;
       CORE        : Uplink_Buffer;
@@ -250,13 +271,15 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       Is_Cleared  : Boolean;
 
       --  The servos' words and their commands. Made_Up: other surfaces make up
-      --  for a failed one. Added: the test inputs in them.
+      --  for a failed one. Added: the test inputs in them. Sticks: those in
+      --  the commands.
       Board         : Data_Area;
       Board_Made_Up : Boolean;
       Board_Added   : Increments;
       Board_Of     : Uplink_Buffer;
       Board_From   : Scan_Count;
       Board_By_Law : Boolean;
+      Board_Sticks : Stick_Inputs;
    end record;
 
    --  The servos' words are figure 13's of the commands, with the inputs of a
@@ -285,8 +308,13 @@ package Theorems.Safety with SPARK_Mode, Ghost is
    with Global => null;
 
    --  Nothing is added without a card.
+
    function Is_Added (Added : Increments; By_Card : Boolean) return Boolean
    is (if not By_Card then Added = Nothing_Added)
+   with Global => null;
+
+   function Is_Added (Sticks : Stick_Inputs; By_Card : Boolean) return Boolean
+   is (if not By_Card then Sticks = No_Sticks)
    with Global => null;
 
    function Places_Are_Sound
@@ -305,16 +333,19 @@ package Theorems.Safety with SPARK_Mode, Ghost is
       and then Comes_From (Item.Heard, Scans, Item.Heard_From, Done)
       and then (if Item.Law_Link /= Waiting then Item.Heard_From > 0)
       and then Was_Flown_From
-        (Contents (Item.PWM), Scans, Item.PWM_From, Done, Item.PWM_By_Law)
+        (Contents (Item.PWM), Scans, Item.PWM_From, Done, Item.PWM_By_Law,
+         Item.PWM_Sticks)
       and then Is_Reported (Item.Reported, Item.PWM_By_Law)
       and then Is_Added (Item.Added, Item.PWM_By_Card)
+      and then Is_Added (Item.PWM_Sticks, Item.PWM_By_Card)
       and then Item.CORE_From <= Done
       and then
         (if not Item.Is_Cleared
          then Is_Of
            (Item.CORE, Scans, Item.CORE_From))
       and then Was_Flown_From
-        (Item.Board_Of, Scans, Item.Board_From, Done, Item.Board_By_Law)
+        (Item.Board_Of, Scans, Item.Board_From, Done, Item.Board_By_Law,
+         Item.Board_Sticks)
       and then Board_Is_Sound
         (Item.Board, Item.Board_Of, Item.Board_Made_Up, Item.Board_Added,
          Item.Board_By_Law)
@@ -425,7 +456,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
          URV.PWM_Layout.To_Data_Area (Transform (Neutral_Uplink));
 
    --  Each servo word is figure 13's of one scan of the ground's converter,
-   --  with the inputs of a test card (FTI-3), or the safe word (SAF-2). While
+   --  with the inputs of a test card to its sticks or to the servos (FTI-3),
+   --  or the safe word (SAF-2). While
    --  a law flies, this holds for the brake and the discretes, and for the
    --  flaps unless they make up for a failed surface (EXT-6). Without a card
    --  nothing is added; Theorems.Test_Cards shows what a card adds.
@@ -442,7 +474,8 @@ package Theorems.Safety with SPARK_Mode, Ghost is
           and then Item.Board =
             URV.PWM_Layout.To_Data_Area
               (With_Inputs
-                 (Outputs_Of (Scans, Item.Board_From), Item.Board_Added))
+                 (Outputs_Of (Scans, Item.Board_From, Item.Board_Sticks),
+                  Item.Board_Added))
         else Item.Board_From <= Done
           and then
             (for all Name in PWM_Item range Brake .. Discretes =>
@@ -471,6 +504,7 @@ package Theorems.Safety with SPARK_Mode, Ghost is
      Post   =>
        not Item.PWM_By_Law
        and then Item.Added = Nothing_Added
+       and then Item.PWM_Sticks = No_Sticks
        and then Contents (Item.PWM) = Contents (Item'Old.Commands);
 
    --  A switch is off, at its discrete and at the flaps, until a scan turns it

@@ -194,7 +194,10 @@ package body Theorems.Test_Cards with SPARK_Mode is
    end A_Scan_Has_Started_It;
 
    procedure Without_Cards_Nothing_Changes
-     (This : Run; Sight : Situation; Servos : PWM_Buffer)
+     (This     : Run;
+      Sight    : Situation;
+      Servos   : PWM_Buffer;
+      Commands : Uplink_Buffer)
    is
       After : constant Run := Next (This, No_Cards, Sight);
    begin
@@ -206,8 +209,15 @@ package body Theorems.Test_Cards with SPARK_Mode is
            (for all Which in Test_Surface => After.Added (Which) = 0);
          pragma Assert (After.Added = Nothing_Added);
          pragma Assert (With_Inputs (Servos, After.Added) = Servos);
+         pragma Assert
+           (for all Name in Command_Item =>
+              With_Sticks (Commands, To_Sticks (After)) (Name) =
+                Commands (Name));
       end if;
    end Without_Cards_Nothing_Changes;
+
+   procedure Each_Input_Has_One_Place
+     (This : Run; Deck : Card_Deck; Sight : Situation) is null;
 
    procedure It_Ends_In_One_Frame
      (This : Run; Deck : Card_Deck; Sight : Situation) is null;

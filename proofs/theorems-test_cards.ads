@@ -1,11 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  Test inputs move the servos only while a card runs that a scan has started,
---  within its amplitude and rate, and end with it (FTI-1, FTI-3, FTI-4,
---  FTI-5). This holds
---  for any cards, memory, sensors, commands and states of the link.
+--  Test inputs move servos, sticks and the laws' commands only while a card
+--  runs that a scan has started, within its amplitude and rate, and end with
+--  it (FTI-1, FTI-3, FTI-4, FTI-5). This holds for any cards, memory, sensors,
+--  commands and states of the link.
 
 with URV.Buffers;       use URV.Buffers;
+with URV.Law_Inputs;    use URV.Law_Inputs;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Test_Cards;    use URV.Test_Cards;
 with URV.Test_Inputs;   use URV.Test_Inputs;
@@ -83,9 +84,13 @@ package Theorems.Test_Cards with SPARK_Mode, Ghost is
             and then not Frames (Since).Is_Cut);
 
    --  With no loaded card nothing starts, whatever the memory; without a
-   --  running card, and nothing added, the servos' words do not change.
+   --  running card, and nothing added, the words of servos and sticks do not
+   --  change, nor do the laws' commands.
    procedure Without_Cards_Nothing_Changes
-     (This : Run; Sight : Situation; Servos : PWM_Buffer)
+     (This     : Run;
+      Sight    : Situation;
+      Servos   : PWM_Buffer;
+      Commands : Uplink_Buffer)
    with
      Global => null,
      Pre    =>
@@ -97,7 +102,38 @@ package Theorems.Test_Cards with SPARK_Mode, Ghost is
           then Next (This, No_Cards, Sight).Added = Nothing_Added
             and then
               With_Inputs (Servos, Next (This, No_Cards, Sight).Added) =
-                Servos);
+                Servos
+            and then
+              (for all Name in Command_Item =>
+                 With_Sticks
+                   (Commands, To_Sticks (Next (This, No_Cards, Sight))) (Name)
+                 = Commands (Name))
+            and then
+              To_Commands (Next (This, No_Cards, Sight)) = No_Commands);
+
+   --  The inputs are added at one place: the card's, until they are 0.
+   procedure Each_Input_Has_One_Place
+     (This : Run; Deck : Card_Deck; Sight : Situation)
+   with
+     Global => null,
+     Post   =>
+       (case Next (This, Deck, Sight).Place is
+           when At_Servo   =>
+             To_Sticks (Next (This, Deck, Sight)) = No_Sticks
+             and then To_Commands (Next (This, Deck, Sight)) = No_Commands,
+           when At_Stick   =>
+             To_Servos (Next (This, Deck, Sight)) = Nothing_Added
+             and then To_Commands (Next (This, Deck, Sight)) = No_Commands,
+           when At_Command =>
+             To_Servos (Next (This, Deck, Sight)) = Nothing_Added
+             and then To_Sticks (Next (This, Deck, Sight)) = No_Sticks)
+       and then
+         (if This.Added /= Nothing_Added
+          then Next (This, Deck, Sight).Place = This.Place)
+       and then
+         (if Next (This, Deck, Sight).Running > 0
+          then Next (This, Deck, Sight).Place =
+            Place_Of (Deck (Next (This, Deck, Sight).Running)));
 
    --  A card ends in the frame of each of these events.
    procedure It_Ends_In_One_Frame
@@ -114,6 +150,7 @@ package Theorems.Test_Cards with SPARK_Mode, Ghost is
           or else not Are_Resting (This, Sight.Heard)
           or else not Has_Sensors (Deck (This.Running), Sight.Checks)
           or else not Is_Inside (Deck (This.Running), Sight.Checks)
+          or else not Is_Followed (Deck (This.Running), Sight.Flown)
           or else not Is_Ready (Deck, This.Running)
           or else This.Frame >= Length_Of (Deck (This.Running)) - 1),
      Post   => Next (This, Deck, Sight).Running = 0;

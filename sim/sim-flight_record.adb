@@ -154,6 +154,7 @@ package body Sim.Flight_Record is
                  & ",laws.card_ended,laws.told_card");
             Added_Columns.Put_Names (To, "laws.added");
             Card_Columns.Put_Names (To, "laws.told_card");
+            Put (To, ",laws.card_place");
          end if;
       end if;
       Frame_Columns.Put_Names (To, "mcs.frame");
@@ -197,6 +198,10 @@ package body Sim.Flight_Record is
             Added_Columns.Put_Values (To, Words_Of (This.Cards.Run.Added));
             Card_Columns.Put_Values
               (To, Parts (This.Cards_Told (Part_Item)));
+            Put (To, ',');
+            Put
+              (To,
+               Number (URV.Test_Cards.Input_Place'Pos (This.Cards.Run.Place)));
          end if;
       end if;
       Frame_Columns.Put_Values (To, This.MCS_Frame);

@@ -8,6 +8,7 @@
 
 with URV.Integrators; use URV.Integrators;
 with URV.Law_Gains;   use URV.Law_Gains;
+with URV.Law_Inputs;  use URV.Law_Inputs;
 with URV.Law_Units;   use URV.Law_Units;
 
 package URV.Law_Axes with Pure, SPARK_Mode is
@@ -124,6 +125,14 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (Within (Airspeed, Least_Speed, Orbit_Fastest) * Orbit_Bank / 100)
    with Global => null;
 
+   --  A test card's input to the demanded bank. The sum is within the bank of
+   --  a full stick.
+   function Moved_Bank (Aim : Bank_Command; Added : Increment)
+                        return Bank_Command
+   is
+     (Within (Aim + Added * Angle_For_Word, -Most_Bank, Most_Bank))
+   with Global => null;
+
    --  Pitch, in the same way as bank
 
    function Pitch_Error (Reference : Pitch_Command; Now : Readings)
@@ -156,6 +165,14 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (As_Pitch_Command (Level_Pitch + Stick * (Stick_Pitch / 16) / 128))
    with Global => null;
 
+   --  A test card's input to the demanded pitch, before its limits.
+   function Moved_Pitch (Aim : Unlimited; Added : Increment)
+                         return Unlimited
+   is
+     (Within
+        (Aim + Added * Angle_For_Word, Unlimited'First, Unlimited'Last))
+   with Global => null;
+
    --  The glide, with a valid airspeed
 
    function Glide_Pitch_Command (Airspeed : Level) return Pitch_Command is
@@ -163,6 +180,11 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    with Global => null;
 
    --  Altitude
+
+   --  A test card's input to the altitude that is held.
+   function Moved_Height (Held : Level; Added : Increment) return Level is
+     (Within (Held + Added, 0, Level'Last))
+   with Global => null;
 
    function Wanted_Climb (Target : Level; Now : Readings) return Climb is
      (Within
@@ -215,6 +237,11 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    with
      Global => null,
      Pre    => Moved in -4_095 .. 4_095;
+
+   --  A test card's input to the airspeed that is held.
+   function Moved_Speed (Held : Level; Added : Increment) return Level is
+     (Within (Held + Added, Least_Speed, Most_Speed))
+   with Global => null;
 
    function Unlimited_Throttle
      (Target : Level; Now : Readings; Wanted : Climb; Trim : Power_Trim)

@@ -9,7 +9,8 @@ package body URV.Laws.Flying with SPARK_Mode is
       Was   : Modes;
       Now   : Readings;
       Input : Sticks;
-      By    : Gain_Table)
+      By    : Gain_Table;
+      Added : Increment)
    is
       Target : Demand;
       Wanted : Unlimited;
@@ -28,10 +29,12 @@ package body URV.Laws.Flying with SPARK_Mode is
                This.Roll_Trim := 0;
             end if;
             Aim :=
-              (case This.Flown.Lateral is
-                  when Bank_By_Stick => Stick_Bank (Input.Roll),
-                  when Orbit         => Orbit_Bank_At (Now.Airspeed),
-                  when others        => 0);
+              Moved_Bank
+                ((case This.Flown.Lateral is
+                     when Bank_By_Stick => Stick_Bank (Input.Roll),
+                     when Orbit         => Orbit_Bank_At (Now.Airspeed),
+                     when others        => 0),
+                 Added);
             This.Bank_Wanted := Stepped (This.Bank_Wanted, Aim, Bank_Slew);
             Wanted := Unlimited_Roll
               (This.Bank_Wanted, Now, This.Roll_Trim, By.For_Bank);
@@ -74,8 +77,9 @@ package body URV.Laws.Flying with SPARK_Mode is
       Was    : Modes;
       Now    : Readings;
       Input  : Sticks;
-      Rising : Number;
-      By     : Gain_Table)
+      Rising : Climb_Reading;
+      By     : Gain_Table;
+      Extra  : Command_Inputs)
    is
       Target : Demand;
       Wanted : Unlimited;
@@ -108,8 +112,9 @@ package body URV.Laws.Flying with SPARK_Mode is
             case This.Flown.Vertical is
                when Hold_Altitude =>
                   Aim := Unlimited_Pitch_Command
-                    (Wanted_Climb (This.Height_Held, Now), Rising, Now.Bank,
-                     This.Height_Trim);
+                    (Wanted_Climb
+                       (Moved_Height (This.Height_Held, Extra.Altitude), Now),
+                     Rising, Now.Bank, This.Height_Trim);
                when Glide =>
                   Aim :=
                     (if This.Checks (Airspeed).Is_Valid
@@ -117,6 +122,7 @@ package body URV.Laws.Flying with SPARK_Mode is
                when others =>
                   Aim := Stick_Pitch_Command (Input.Pitch);
             end case;
+            Aim := Moved_Pitch (Aim, Extra.Pitch);
             Ceiling :=
               (if This.Checks (Airspeed).Is_Valid
                then Guard (Now.Airspeed) else Highest_Pitch);
@@ -140,7 +146,9 @@ package body URV.Laws.Flying with SPARK_Mode is
          if This.Flown.Vertical = Hold_Altitude then
             This.Height_Trim := Next_Height_Trim
               (This.Height_Trim,
-               Wanted_Climb (This.Height_Held, Now) - Rising,
+               Wanted_Climb
+                 (Moved_Height (This.Height_Held, Extra.Altitude), Now)
+                 - Rising,
                Saturation_Of (Aim, Lowest_Pitch, Ceiling) or Output);
          end if;
          This.Pitch_Trim := Next_Pitch_Trim
@@ -154,7 +162,8 @@ package body URV.Laws.Flying with SPARK_Mode is
      (This  : in out Memory;
       Was   : Modes;
       Now   : Readings;
-      Input : Sticks)
+      Input : Sticks;
+      Extra : Command_Inputs)
    is
       Target : Lever;
       Wanted : Unlimited;
@@ -173,10 +182,11 @@ package body URV.Laws.Flying with SPARK_Mode is
                This.Power_Trim := This.Last.Throttle * 1_000;
             end if;
             Wanted := Unlimited_Throttle
-              (Held_Speed (This.Speed_Held, Input.Throttle - This.Lever_Held),
-               Now,
+              (Demanded_Speed (This, Input.Throttle, Extra.Airspeed), Now,
                (if This.Flown.Vertical = Hold_Altitude
-                then Wanted_Climb (This.Height_Held, Now) else 0),
+                then Wanted_Climb
+                  (Moved_Height (This.Height_Held, Extra.Altitude), Now)
+                else 0),
                This.Power_Trim);
             Target := Within (Wanted, 0, Lever'Last);
       end case;
@@ -191,7 +201,7 @@ package body URV.Laws.Flying with SPARK_Mode is
       if This.Flown.Power = Hold_Airspeed then
          This.Power_Trim := Next_Power_Trim
            (This.Power_Trim,
-            Held_Speed (This.Speed_Held, Input.Throttle - This.Lever_Held)
+            Demanded_Speed (This, Input.Throttle, Extra.Airspeed)
               - Now.Airspeed,
             Saturation_Of (Wanted, 0, Lever'Last));
       end if;
@@ -202,13 +212,14 @@ package body URV.Laws.Flying with SPARK_Mode is
       Was    : Modes;
       Now    : Readings;
       Input  : Sticks;
-      Rising : Number;
-      By     : Gain_Table) is
+      Rising : Climb_Reading;
+      By     : Gain_Table;
+      Extra  : Command_Inputs) is
    begin
-      Fly_Roll (This, Was, Now, Input, By);
+      Fly_Roll (This, Was, Now, Input, By, Extra.Bank);
       Fly_Yaw (This, Now, Input);
-      Fly_Pitch (This, Was, Now, Input, Rising, By);
-      Fly_Throttle (This, Was, Now, Input);
+      Fly_Pitch (This, Was, Now, Input, Rising, By, Extra);
+      Fly_Throttle (This, Was, Now, Input, Extra);
    end Fly;
 
 end URV.Laws.Flying;

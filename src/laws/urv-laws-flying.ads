@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The flight of each axis in a frame, after the modes are decided (EXT-3,
---  EXT-8): its target, its output, its integrator. URV.Laws.Advance calls Fly.
+--  EXT-8): its target, its output, its integrator. URV.Laws.Steer calls Fly.
 
 private package URV.Laws.Flying with Pure, SPARK_Mode is
 
@@ -23,8 +23,10 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
       Throttle         : Lever;
    end record;
 
-   function Sticks_Of (Commands : Uplink_Buffer; Link : Link_State)
-                       return Sticks
+   --  Added: the inputs of a test card to the pilot's sticks.
+   function Sticks_Of
+     (Commands : Uplink_Buffer; Link : Link_State; Added : Stick_Inputs)
+      return Sticks
    is
      (if Link in Lost
       then (Is_Pilot => False,
@@ -34,9 +36,10 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
               Within (Demand_Of (Commands (Yaw)), -Held_Yaw, Held_Yaw),
             Throttle => Level_Of (Commands (Throttle)))
       else (Is_Pilot => True,
-            Roll     => Demand_Of (Commands (Roll)),
-            Pitch    => Demand_Of (Commands (Pitch)),
-            Yaw      => Demand_Of (Commands (Yaw)),
+            Roll     => Stick_With (Demand_Of (Commands (Roll)), Added.Roll),
+            Pitch    =>
+              Stick_With (Demand_Of (Commands (Pitch)), Added.Pitch),
+            Yaw      => Stick_With (Demand_Of (Commands (Yaw)), Added.Yaw),
             Throttle => Level_Of (Commands (Throttle))))
    with Global => null;
 
@@ -49,15 +52,6 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
    is
      (Is_Pilot and then Is_Direct and then (Was or else Last = Stick))
    with Global => null;
-
-   --  Flying changes no earlier decision of the frame.
-   function Decides_The_Same (Before, After : Memory) return Boolean is
-     (After.Link = Before.Link
-      and then After.Checks = Before.Checks
-      and then After.Flown = Before.Flown
-      and then After.Heard = Before.Heard
-      and then After.Is_Flying = Before.Is_Flying)
-   with Ghost, Global => null;
 
    --  Only one axis has changed.
    function Flies_Only (Which : Axis; Before, After : Memory) return Boolean
@@ -111,26 +105,41 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
          Wanted => After.Pitch_Wanted, Measured => Pitch))
    with Ghost, Global => null;
 
-   --  Only the lever changes the demanded airspeed.
+   --  The airspeed that is demanded with this lever, and with this input of a
+   --  test card.
+   function Demanded_Speed
+     (This : Memory; Input : Lever; Added : Increment) return Level
+   is
+     (Moved_Speed
+        (Held_Speed (This.Speed_Held, Input - This.Lever_Held), Added))
+   with Global => null;
+
+   --  Only the lever and a test card change the demanded airspeed.
    function Follows_Speed
-     (Before, After : Memory; Was : Modes; Airspeed : Level; Input : Lever)
-      return Boolean
+     (Before, After : Memory;
+      Was           : Modes;
+      Airspeed      : Level;
+      Input         : Lever;
+      Added         : Increment) return Boolean
    is
      (if Was.Power = Hold_Airspeed and then After.Flown.Power = Hold_Airspeed
       then After.Speed_Held = Before.Speed_Held
         and then After.Lever_Held = Before.Lever_Held
         and then Moves_With
           (Before.Power_Trim, After.Power_Trim,
-           Wanted   => Held_Speed (After.Speed_Held, Input - After.Lever_Held),
+           Wanted   => Demanded_Speed (After, Input, Added),
            Measured => Airspeed))
    with Ghost, Global => null;
+
+   --  Added, Extra: a test card's inputs to the laws' commands.
 
    procedure Fly_Roll
      (This  : in out Memory;
       Was   : Modes;
       Now   : Readings;
       Input : Sticks;
-      By    : Gain_Table)
+      By    : Gain_Table;
+      Added : Increment)
    with
      Global => null,
      Post   =>
@@ -169,11 +178,11 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
       Was    : Modes;
       Now    : Readings;
       Input  : Sticks;
-      Rising : Number;
-      By     : Gain_Table)
+      Rising : Climb_Reading;
+      By     : Gain_Table;
+      Extra  : Command_Inputs)
    with
      Global => null,
-     Pre    => Rising in -30_000 .. 30_000,
      Post   =>
        Flies_Only (Pitch_Axis, This'Old, This)
        and then
@@ -197,7 +206,9 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
             and then Was.Vertical in Pitched
           then Moves_With
             (This.Height_Trim'Old, This.Height_Trim,
-             Wanted   => Wanted_Climb (This.Height_Held, Now),
+             Wanted   =>
+               Wanted_Climb
+                 (Moved_Height (This.Height_Held, Extra.Altitude), Now),
              Measured => Rising))
        and then
          (if This.Flown.Vertical = Hold_Altitude
@@ -208,7 +219,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
      (This  : in out Memory;
       Was   : Modes;
       Now   : Readings;
-      Input : Sticks)
+      Input : Sticks;
+      Extra : Command_Inputs)
    with
      Global => null,
      Post   =>
@@ -224,7 +236,9 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
                  Throttle_Step)
 
        and then
-         Follows_Speed (This'Old, This, Was, Now.Airspeed, Input.Throttle);
+         Follows_Speed
+           (This'Old, This, Was, Now.Airspeed, Input.Throttle,
+            Extra.Airspeed);
 
    --  Flies all four axes.
    procedure Fly
@@ -232,11 +246,11 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
       Was    : Modes;
       Now    : Readings;
       Input  : Sticks;
-      Rising : Number;
-      By     : Gain_Table)
+      Rising : Climb_Reading;
+      By     : Gain_Table;
+      Extra  : Command_Inputs)
    with
      Global => null,
-     Pre    => Rising in -30_000 .. 30_000,
      Post   =>
        Decides_The_Same (This'Old, This)
        and then
@@ -268,6 +282,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
        and then Follows_Bank (This'Old, This, Was, Now.Bank)
        and then Follows_Pitch (This'Old, This, Was, Now.Pitch)
        and then
-         Follows_Speed (This'Old, This, Was, Now.Airspeed, Input.Throttle);
+         Follows_Speed
+           (This'Old, This, Was, Now.Airspeed, Input.Throttle,
+            Extra.Airspeed);
 
 end URV.Laws.Flying;

@@ -3,8 +3,12 @@
 --  The control laws, between the pilot's commands and the servos (EXT-3,
 --  EXT-5, EXT-8). docs/control-laws.md describes their flight.
 --
---     Advance (Memory, Commands, Sensors, By);
---     Flown := Output (Memory, Commands);
+--     Observe (Memory, Commands, Sensors, By, Seen);
+--     Steer (Memory, Commands, Seen, Sticks, Extra);
+--     Flown := Output (Memory, Commands, Sticks);
+--
+--  Observe decides the modes of a frame, Steer flies them. Between them the
+--  caller decides the inputs of a test card, zero without one.
 --
 --  A law replaces four of the commands: roll, pitch, yaw, throttle. Figure 13
 --  converts the result to servo words, as it does the pilot's own commands.
@@ -16,6 +20,7 @@ with URV.Buffers;       use URV.Buffers;
 with URV.Integrators;   use URV.Integrators;
 with URV.Law_Axes;      use URV.Law_Axes;
 with URV.Law_Gains;     use URV.Law_Gains;
+with URV.Law_Inputs;    use URV.Law_Inputs;
 with URV.Law_Units;     use URV.Law_Units;
 with URV.Link_Loss;     use URV.Link_Loss;
 with URV.PWM_Transform; use URV.PWM_Transform;
@@ -224,8 +229,17 @@ package URV.Laws with Pure, SPARK_Mode is
        and then (if Allowed'Result.Power = Hold_Airspeed
                  then Checks (Airspeed).Is_Valid);
 
-   --  The memory from frame to frame. All of a law's work is in it.
-   function Is_Frame
+   --  Nothing decided for the frame is different: link, sensors, modes.
+   function Decides_The_Same (Before, After : Memory) return Boolean is
+     (After.Link = Before.Link
+      and then After.Checks = Before.Checks
+      and then After.Flown = Before.Flown
+      and then After.Heard = Before.Heard
+      and then After.Is_Flying = Before.Is_Flying)
+   with Ghost, Global => null;
+
+   --  The frame's decisions: link, sensors, modes.
+   function Is_Observed
      (Before, After : Memory;
       Commands      : Uplink_Buffer;
       Sensors       : Downlink_Buffer;
@@ -248,12 +262,22 @@ package URV.Laws with Pure, SPARK_Mode is
               (After.Link.State,
                (if Is_Old (Commands) then Before.Heard else Commands),
                After.Is_Flying),
-            Sensor_Checks.Next (Before.Checks, Sensors)))
+            Sensor_Checks.Next (Before.Checks, Sensors))))
+   with Ghost, Global => null;
 
-      --  No law flies after a disconnect, at once, and before the first
-      --  commands.
-      and then (if Is_Disconnected (Commands) then Is_All_Stick (After))
-      and then (if After.Link.State = Waiting then Is_All_Stick (After))
+   --  The laws' work in the frame, with these modes in the frame before.
+   function Is_Steered
+     (Before, After : Memory;
+      Was           : Modes;
+      Commands      : Uplink_Buffer) return Boolean
+   is
+     --  No law flies after a disconnect, at once, and before the first
+     --  commands.
+     ((if Is_Disconnected (Commands) and then After.Flown = All_Direct
+       then Is_All_Stick (After))
+      and then
+        (if After.Link.State = Waiting and then After.Flown = All_Direct
+         then Is_All_Stick (After))
 
       --  A law's output has moved within its rate limit, whatever the modes
       --  were.
@@ -283,7 +307,7 @@ package URV.Laws with Pure, SPARK_Mode is
 
       --  Roll and pitch are trimmed the right way, by their own sensors.
       and then
-        (if Before.Flown.Lateral in Banked
+        (if Was.Lateral in Banked
            and then After.Flown.Lateral in Banked
          then Moves_With
            (Before.Roll_Trim, After.Roll_Trim,
@@ -291,7 +315,7 @@ package URV.Laws with Pure, SPARK_Mode is
             Measured =>
               Roll_Angle_Of (Word_Of (After.Checks, Roll_Attitude))))
       and then
-        (if Before.Flown.Vertical in Pitched
+        (if Was.Vertical in Pitched
            and then After.Flown.Vertical in Pitched
          then Moves_With
            (Before.Pitch_Trim, After.Pitch_Trim,
@@ -300,14 +324,65 @@ package URV.Laws with Pure, SPARK_Mode is
               Pitch_Angle_Of (Word_Of (After.Checks, Pitch_Attitude)))))
    with Ghost, Global => null;
 
-   procedure Advance
-     (This : in out Memory; Commands : Uplink_Buffer;
-      Sensors : Downlink_Buffer; By : Times; Table : Table_Number := 0)
+   --  The memory from frame to frame. All of a law's work is in it.
+   function Is_Frame
+     (Before, After : Memory;
+      Commands      : Uplink_Buffer;
+      Sensors       : Downlink_Buffer;
+      By            : Times) return Boolean
+   is
+     (Is_Observed (Before, After, Commands, Sensors, By)
+      and then Is_Steered (Before, After, Before.Flown, Commands)
+      and then (if Is_Disconnected (Commands) then Is_All_Stick (After))
+      and then (if After.Link.State = Waiting then Is_All_Stick (After)))
+   with Ghost, Global => null;
+
+   --  The facts of a frame that its laws need besides the memory: the modes
+   --  of the frame before, and the measured climb rate in thousandths of a
+   --  foot a second.
+   subtype Climb_Reading is Number range -30_000 .. 30_000;
+
+   type Observation is record
+      Was    : Modes;
+      Rising : Climb_Reading;
+   end record;
+
+   --  The outputs, references and integrators wait for Steer.
+   procedure Observe
+     (This     : in out Memory;
+      Commands : Uplink_Buffer;
+      Sensors  : Downlink_Buffer;
+      By       : Times;
+      Seen     : out Observation)
    with
      Global => null,
-     Post   => Is_Frame (This'Old, This, Commands, Sensors, By);
+     Post   =>
+       Is_Observed (This'Old, This, Commands, Sensors, By)
+       and then Seen.Was = This.Flown'Old
+       and then This.Is_Stick = This.Is_Stick'Old
+       and then This.Last.Roll = This.Last.Roll'Old
+       and then This.Last.Pitch = This.Last.Pitch'Old
+       and then This.Last.Yaw = This.Last.Yaw'Old
+       and then This.Last.Throttle = This.Last.Throttle'Old
+       and then This.Roll_Trim = This.Roll_Trim'Old
+       and then This.Pitch_Trim = This.Pitch_Trim'Old;
 
-   --  The same as a function, for theorems and tests.
+   --  Sticks, Extra: the inputs of a test card to the sticks and to the laws'
+   --  commands. Commands are those of Observe.
+   procedure Steer
+     (This     : in out Memory;
+      Commands : Uplink_Buffer;
+      Seen     : Observation;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs;
+      Table    : Table_Number := 0)
+   with
+     Global => null,
+     Post   =>
+       Decides_The_Same (This'Old, This)
+       and then Is_Steered (This'Old, This, Seen.Was, Commands);
+
+   --  Both without test inputs, as a function for theorems and tests.
    function Next
      (This : Memory; Commands : Uplink_Buffer; Sensors : Downlink_Buffer;
       By : Times; Table : Table_Number := 0) return Memory
@@ -316,22 +391,25 @@ package URV.Laws with Pure, SPARK_Mode is
      Post   => Is_Frame (This, Next'Result, Commands, Sensors, By);
 
    --  The commands after the laws, with the pilot's own words on each axis
-   --  that is the stick's. If all are, it is the same message with its mark;
-   --  otherwise it is a message that is not marked as old.
-   function Output (This : Memory; Commands : Uplink_Buffer)
-                    return Uplink_Buffer
+   --  that is the stick's, and a test card's input to it. If all are, it is
+   --  the same message with its mark; otherwise it is a message that is not
+   --  marked as old.
+   function Output
+     (This     : Memory;
+      Commands : Uplink_Buffer;
+      Sticks   : Stick_Inputs := No_Sticks) return Uplink_Buffer
    is
      (if Is_All_Stick (This) then Commands
       else
         (This.Heard with delta
            Roll         => (if This.Is_Stick (Roll_Axis)
-                            then This.Heard (Roll)
+                            then Stick_Word (This.Heard (Roll), Sticks.Roll)
                             else Word_Of (This.Last.Roll)),
            Pitch        => (if This.Is_Stick (Pitch_Axis)
-                            then This.Heard (Pitch)
+                            then Stick_Word (This.Heard (Pitch), Sticks.Pitch)
                             else Word_Of (This.Last.Pitch)),
            Yaw          => (if This.Is_Stick (Yaw_Axis)
-                            then This.Heard (Yaw)
+                            then Stick_Word (This.Heard (Yaw), Sticks.Yaw)
                             else Word_Of (This.Last.Yaw)),
            Throttle     => (if This.Is_Stick (Throttle_Axis)
                             then This.Heard (Throttle)

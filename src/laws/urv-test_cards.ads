@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Test cards: the inputs of a flight test that the aircraft adds to its
---  servos' words (FTI-1, FTI-2). docs/flight-test.md describes their use.
+--  servos' words, to the sticks, or to the laws' commands (FTI-1, FTI-2).
+--  docs/flight-test.md describes their use.
 --
 --  A card goes up in place of a frame's commands, as a block of its own kind:
 --
@@ -16,6 +17,7 @@
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
 with URV.Frame_Times; use URV.Frame_Times;
+with URV.Law_Inputs;
 with URV.Signal_Tables; use URV.Signal_Tables;
 with URV.Type_Codes; use URV.Type_Codes;
 
@@ -24,8 +26,9 @@ package URV.Test_Cards with Pure, SPARK_Mode is
    subtype Field is Word range 0 .. 16#FFF#;
 
    --  Head: slot * 256 + grouping * 16 + kind.
-   --  Surfaces: a bit for each surface that moves, see Test_Surface.
-   --  Amplitude: in words of a surface.
+   --  Surfaces: a bit for each input, see Test_Surface, and the place where it
+   --  is added, see Input_Place.
+   --  Amplitude: in words of a surface, a stick, or a command.
    --  Time: of a pulse, or of the whole sweep or multisine, in 0.01 s.
    --  First: the first frequency of a sweep, the base frequency of a
    --  multisine, in 0.01 Hz.
@@ -62,9 +65,22 @@ package URV.Test_Cards with Pure, SPARK_Mode is
      (Left_Aileron, Right_Aileron, Left_Elevator, Right_Elevator,
       Left_Rudder, Right_Rudder);
 
+   --  Where a card's inputs are added. At the sticks, the bits of the left
+   --  surfaces are the sticks of roll, pitch and yaw. At the laws' commands
+   --  these of aileron and elevator are bank and pitch, these of left and
+   --  right rudder altitude and airspeed. No other bit is permitted there.
+   type Input_Place is (At_Servo, At_Stick, At_Command);
+
+   Surface_Bits : constant Word := 2#11_1111#;
+   Place_Bits   : constant Word := 16#FC0#;
+   Stick_Place  : constant Word := 2 ** 6;
+   Command_Place : constant Word := 2 ** 7;
+   No_Stick     : constant Word := 2#10_1010#;
+   No_Command   : constant Word := 2#00_1010#;
+
    --  Limits
 
-   Most_Amplitude : constant := 800;
+   Most_Amplitude : constant := Law_Inputs.Most_Input;
    Most_Frequency : constant := 1_000;
    Least_Sweep    : constant := 10;
    Most_Base      : constant := 200;
@@ -108,6 +124,13 @@ package URV.Test_Cards with Pure, SPARK_Mode is
 
    function Moves (Source : Card; Which : Test_Surface) return Boolean is
      (Source (Surfaces) / 2 ** Test_Surface'Pos (Which) mod 2 = 1)
+   with Global => null;
+
+   function Place_Of (Source : Card) return Input_Place is
+     (case Source (Surfaces) and Place_Bits is
+         when Stick_Place   => At_Stick,
+         when Command_Place => At_Command,
+         when others        => At_Servo)
    with Global => null;
 
    function Bank_Limit (Source : Card) return Limit is
@@ -198,6 +221,18 @@ package URV.Test_Cards with Pure, SPARK_Mode is
 
    --  Permitted values
 
+   --  The card moves something, and only what its place has. A surface's own
+   --  input cannot be added to a stick.
+   function Has_Inputs (Source : Card) return Boolean is
+     ((Source (Surfaces) and Surface_Bits) /= 0
+      and then
+        (case Source (Surfaces) and Place_Bits is
+            when 0             => True,
+            when Stick_Place   => (Source (Surfaces) and No_Stick) = 0,
+            when Command_Place => (Source (Surfaces) and No_Command) = 0,
+            when others        => False))
+   with Global => null;
+
    function Has_Limits (Source : Card) return Boolean is
      (Bank_Limit (Source) > 0
       and then Pitch_Limit (Source) > 0
@@ -242,7 +277,7 @@ package URV.Test_Cards with Pure, SPARK_Mode is
       and then Kind_Of (Source) in Signal_Kind
       and then Source (Head) / 16 mod 16 <=
                  (if Kind_Of (Source) = Multisine then 1 else 0)
-      and then Source (Surfaces) in 1 .. 63
+      and then Has_Inputs (Source)
       and then Source (Amplitude) in 1 .. Most_Amplitude
       and then Frames_Of (Source) >= 1
       and then Has_Frequencies (Source)

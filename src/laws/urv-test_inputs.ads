@@ -9,6 +9,7 @@ with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Frame_Times;   use URV.Frame_Times;
 with URV.Law_Gains;     use URV.Law_Gains;
+with URV.Law_Inputs;
 with URV.Law_Units;     use URV.Law_Units;
 with URV.Signal_Tables; use URV.Signal_Tables;
 with URV.Test_Cards;    use URV.Test_Cards;
@@ -25,8 +26,8 @@ package URV.Test_Inputs with Pure, SPARK_Mode is
    pragma Compile_Time_Error
      (Cycle > 1_000_000, "the products of phases overflow for this frame");
 
-   --  A test input in words of a surface.
-   subtype Increment is Number range -Most_Amplitude .. Most_Amplitude;
+   --  A test input in words of a surface, a stick, or a law's command.
+   subtype Increment is Law_Inputs.Increment;
 
    type Increments is array (Test_Surface) of Increment
    with Component_Size => 16;

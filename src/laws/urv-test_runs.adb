@@ -55,12 +55,17 @@ package body URV.Test_Runs with SPARK_Mode is
        Selected'Result.Added = This.Added
        and then Selected'Result.Was_On = This.Was_On
        and then
+         (if This.Added /= Nothing_Added
+          then Selected'Result.Place = This.Place)
+       and then
          (if Selected'Result.Running > 0
           then Is_Ready (Deck, Selected'Result.Running)
             and then Judged (Deck (Selected'Result.Running), Sight) = Well
             and then Are_Resting (Selected'Result, Sight.Heard)
             and then Selected'Result.Frame <
                        Length_Of (Deck (Selected'Result.Running))
+            and then Selected'Result.Place =
+                       Place_Of (Deck (Selected'Result.Running))
             and then
               (if This.Running = 0
                then Is_Started (This, Sight)
@@ -79,6 +84,9 @@ package body URV.Test_Runs with SPARK_Mode is
       then Ended (This, This.Chosen, Not_Loaded)
       elsif Judged (Deck (This.Chosen), Sight) /= Well
       then Ended (This, This.Chosen, Judged (Deck (This.Chosen), Sight))
+      elsif This.Added /= Nothing_Added
+        and then Place_Of (Deck (This.Chosen)) /= This.Place
+      then Ended (This, This.Chosen, Inputs_Remain)
       else
         (This with delta
            Running    => This.Chosen,
@@ -88,7 +96,8 @@ package body URV.Test_Runs with SPARK_Mode is
            Pitch_Rest => Demand_Of (Sight.Heard (Pitch)),
            Yaw_Rest   => Demand_Of (Sight.Heard (Yaw)),
            Last_Run   => This.Chosen,
-           Reason     => Well))
+           Reason     => Well,
+           Place      => Place_Of (Deck (This.Chosen))))
    with Global => null;
 
    function Selected (This : Run; Deck : Card_Deck; Sight : Situation)
@@ -101,7 +110,9 @@ package body URV.Test_Runs with SPARK_Mode is
          return
            (if Is_Started (This, Sight) then Started (This, Deck, Sight)
             else This);
-      elsif not Is_Ready (Deck, Which) then
+      elsif not Is_Ready (Deck, Which)
+        or else Place_Of (Deck (Which)) /= This.Place
+      then
          return Ended (This, Which, Not_Loaded);
       end if;
       Reason := Judged (Deck (Which), Sight);

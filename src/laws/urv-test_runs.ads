@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  When test cards run, and what they add to the servos' words in each frame
---  (FTI-1, FTI-4, FTI-5).
+--  When test cards run, and what they add in each frame to the servos' words,
+--  to the sticks, or to the laws' commands (FTI-1, FTI-4, FTI-5).
 --
 --     After := Next (Before, Deck, Sight);
 --
@@ -12,7 +12,11 @@
 
 with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
+with URV.Law_Inputs;
+use type URV.Law_Inputs.Stick_Inputs;
+use type URV.Law_Inputs.Command_Inputs;
 with URV.Law_Units;     use URV.Law_Units;
+with URV.Laws;          use URV.Laws;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Sensor_Checks; use URV.Sensor_Checks;
 with URV.Test_Cards;    use URV.Test_Cards;
@@ -37,7 +41,9 @@ package URV.Test_Runs with Pure, SPARK_Mode is
       Envelope_Left,   --  a limit of the card is exceeded
       Surface_Failed,  --  a surface does not follow its servo
       Restarted,       --  a warm start
-      Not_Loaded);     --  the chosen slot is empty
+      Not_Loaded,      --  the chosen slot is empty
+      Not_Followed,    --  no law has the command, or none follows the stick
+      Inputs_Remain);  --  inputs of the last card are still on another place
 
    --  A stick beyond this distance from its position at the card's start ends
    --  the card: 10 % of its travel.
@@ -64,7 +70,8 @@ package URV.Test_Runs with Pure, SPARK_Mode is
       Last_Run : Slot_Or_None := 0;
       Reason   : Verdict := Well;
 
-      --  The inputs of this frame.
+      --  The inputs of this frame, and the place where they are added.
+      Place : Input_Place := At_Servo;
       Added : Increments := (others => 0);
    end record;
 
@@ -84,13 +91,14 @@ package URV.Test_Runs with Pure, SPARK_Mode is
    --  The facts of a frame on which a card depends. Heard: the last commands
    --  that were not marked as old; Is_New: they are of this frame. Is_Cut: the
    --  pilot's disconnect, or no commands yet. Is_Linked: the link is there.
-   --  Failed: a surface has failed.
+   --  Failed: a surface has failed. Flown: the modes of the laws.
    type Situation is record
       Heard     : Uplink_Buffer;
       Is_New    : Boolean;
       Is_Cut    : Boolean;
       Is_Linked : Boolean;
       Failed    : Boolean;
+      Flown     : Modes;
       Checks    : Check_Table;
    end record;
 
@@ -154,7 +162,34 @@ package URV.Test_Runs with Pure, SPARK_Mode is
       and then Word_Of (Checks, Altitude) >= Source (Lowest))
    with Global => null;
 
-   --  The sticks are near their positions at the card's start.
+   --  Each input reaches the aircraft. A stick moves a surface, or demands
+   --  bank or pitch; a command is that of a law that flies. An input to a
+   --  servo always does.
+   function Is_Followed (Source : Card; Flown : Modes) return Boolean is
+     (case Place_Of (Source) is
+         when At_Servo   => True,
+         when At_Stick   =>
+           (not Moves (Source, Left_Aileron)
+            or else Flown.Lateral in Direct .. Bank_By_Stick)
+           and then
+             (not Moves (Source, Left_Elevator)
+              or else Flown.Vertical in Direct .. Pitch_By_Stick),
+         when At_Command =>
+           (not Moves (Source, Left_Aileron)
+            or else Flown.Lateral in Banked)
+           and then
+             (not Moves (Source, Left_Elevator)
+              or else Flown.Vertical in Pitched)
+           and then
+             (not Moves (Source, Left_Rudder)
+              or else Flown.Vertical = Hold_Altitude)
+           and then
+             (not Moves (Source, Right_Rudder)
+              or else Flown.Power = Hold_Airspeed))
+   with Global => null;
+
+   --  The pilot's own sticks are near their positions at the card's start. A
+   --  card's inputs to them do not count.
    function Are_Resting (This : Run; Heard : Uplink_Buffer) return Boolean is
      (abs (Demand_Of (Heard (Roll)) - This.Roll_Rest) <= Stick_Limit
       and then abs (Demand_Of (Heard (Pitch)) - This.Pitch_Rest) <=
@@ -170,6 +205,7 @@ package URV.Test_Runs with Pure, SPARK_Mode is
       elsif Sight.Failed then Surface_Failed
       elsif not Has_Sensors (Source, Sight.Checks) then Sensor_Invalid
       elsif not Is_Inside (Source, Sight.Checks) then Envelope_Left
+      elsif not Is_Followed (Source, Sight.Flown) then Not_Followed
       else Well)
    with Global => null;
 
@@ -190,6 +226,39 @@ package URV.Test_Runs with Pure, SPARK_Mode is
      Post   =>
        (if Next_Loaded'Result > 0
         then Is_Loaded (Deck (Next_Loaded'Result)));
+
+   --  The inputs of this frame, by their place.
+
+   function To_Servos (This : Run) return Increments is
+     (if This.Place = At_Servo then This.Added else Nothing_Added)
+   with Global => null;
+
+   function To_Sticks (This : Run) return Law_Inputs.Stick_Inputs is
+     (if This.Place = At_Stick
+      then
+        (Roll  => This.Added (Left_Aileron),
+         Pitch => This.Added (Left_Elevator),
+         Yaw   => This.Added (Left_Rudder))
+      else Law_Inputs.No_Sticks)
+   with
+     Global => null,
+     Post   =>
+       (if This.Added = Nothing_Added
+        then To_Sticks'Result = Law_Inputs.No_Sticks);
+
+   function To_Commands (This : Run) return Law_Inputs.Command_Inputs is
+     (if This.Place = At_Command
+      then
+        (Bank     => This.Added (Left_Aileron),
+         Pitch    => This.Added (Left_Elevator),
+         Altitude => This.Added (Left_Rudder),
+         Airspeed => This.Added (Right_Rudder))
+      else Law_Inputs.No_Commands)
+   with
+     Global => null,
+     Post   =>
+       (if This.Added = Nothing_Added
+        then To_Commands'Result = Law_Inputs.No_Commands);
 
    --  The largest input that the running card may have on a surface.
    function Authority (Deck : Card_Deck; This : Run; Which : Test_Surface)
@@ -214,6 +283,8 @@ package URV.Test_Runs with Pure, SPARK_Mode is
           and then Are_Resting (Next'Result, Sight.Heard)
           and then Next'Result.Frame <
                      Length_Of (Deck (Next'Result.Running))
+          and then Next'Result.Place =
+                     Place_Of (Deck (Next'Result.Running))
 
           --  It began when the switch went on, or it goes on frame by frame.
           and then
@@ -226,6 +297,11 @@ package URV.Test_Runs with Pure, SPARK_Mode is
                and then Next'Result.Roll_Rest = This.Roll_Rest
                and then Next'Result.Pitch_Rest = This.Pitch_Rest
                and then Next'Result.Yaw_Rest = This.Yaw_Rest))
+
+       --  Inputs remain where they were added, until they are 0.
+       and then
+         (if This.Added /= Nothing_Added
+          then Next'Result.Place = This.Place)
 
        --  Nothing is added after the pilot's disconnect.
        and then

@@ -2,44 +2,33 @@
 
 with URV.Engine_Monitor;
 with URV.Law_Units;     use URV.Law_Units;
+with URV.Test_Cards;    use type URV.Test_Cards.Input_Place;
 
 package body URV.LAW_Steps with SPARK_Mode is
 
-   procedure Fly
-     (This   : in out Laws.Memory;
-      Used   : Settings;
-      Got    : Inputs;
-      Result : out Flight)
-   is
-      Commands : constant Uplink_Buffer := Commands_Of (Got);
-   begin
-      if Used.On then
-         Laws.Advance
-           (This, Commands, Sensors_Of (Got), Used.By, Used.Table);
-         Result :=
-           (Message => Output (This, Commands),
-            Is_Sent => True,
-            By_Law  => not Is_All_Stick (This),
-            By_Card => False);
-      else
-         Result :=
-           (Message => Got.Commands,
-            Is_Sent => Got.Has_Commands,
-            By_Law  => False,
-            By_Card => False);
-      end if;
-   end Fly;
+   --  A test card's frame. Its inputs are those of this frame. Is_Moving: the
+   --  servos or sticks have inputs, or had them in the last frame.
+   procedure Run_Cards
+     (Cards     : in out Test_Runs.Aboard;
+      Sight     : Test_Runs.Situation;
+      Is_Moving : out Boolean;
+      Has_Ended : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       Cards.Run = Test_Runs.Next (Cards'Old.Run, Cards'Old.Deck, Sight)
+       and then Cards.Deck = Cards'Old.Deck
+       and then
+         (if Is_Moving then not Sight.Is_Cut
+          else Test_Runs.To_Servos (Cards.Run) = Nothing_Added
+            and then Test_Runs.To_Sticks (Cards.Run) = No_Sticks);
 
    procedure Run_Cards
      (Cards     : in out Test_Runs.Aboard;
-      Flown     : Laws.Memory;
-      Watched   : Monitor;
-      Got       : Inputs;
-      Result    : in out Flight;
+      Sight     : Test_Runs.Situation;
+      Is_Moving : out Boolean;
       Has_Ended : out Boolean)
    is
-      Sight   : constant Test_Runs.Situation :=
-        Sight_Of (Flown, Watched, Got);
       Started : constant Boolean :=
         Test_Runs.Is_Running (Cards.Run)
         or else Test_Runs.Is_Started (Cards.Run, Sight);
@@ -47,17 +36,48 @@ package body URV.LAW_Steps with SPARK_Mode is
    begin
       Cards.Run := Test_Runs.Next (Cards.Run, Cards.Deck, Sight);
       Has_Ended := Started and then not Test_Runs.Is_Running (Cards.Run);
-      if not Sight.Is_Cut
+      Is_Moving := not Sight.Is_Cut
+        and then Cards.Run.Place /= Test_Cards.At_Command
         and then
-          (Before /= Nothing_Added or else Cards.Run.Added /= Nothing_Added)
-      then
-         Result.By_Card := True;
-         if not Result.By_Law then
-            Result.Message := Flown.Heard;
-            Result.Message (Error_Status) := No_Error;
-         end if;
-      end if;
+          (Before /= Nothing_Added or else Cards.Run.Added /= Nothing_Added);
    end Run_Cards;
+
+   procedure Fly
+     (This      : in out Laws.Memory;
+      Cards     : in out Test_Runs.Aboard;
+      Watched   : Monitor;
+      Used      : Settings;
+      Got       : Inputs;
+      Result    : out Flight;
+      Has_Ended : out Boolean)
+   is
+      Commands : constant Uplink_Buffer := Commands_Of (Got);
+      Seen     : Observation;
+   begin
+      if Used.On then
+         Observe (This, Commands, Sensors_Of (Got), Used.By, Seen);
+         Run_Cards
+           (Cards, Sight_Of (This, Watched, Got), Result.By_Card, Has_Ended);
+         Result.Sticks := Test_Runs.To_Sticks (Cards.Run);
+         Steer
+           (This, Commands, Seen, Result.Sticks,
+            Test_Runs.To_Commands (Cards.Run), Used.Table);
+         Result.By_Law := not Is_All_Stick (This);
+         Result.Message :=
+           (if Result.By_Card and then not Result.By_Law
+            then With_Sticks (This.Heard, Result.Sticks)
+            else Output (This, Commands, Result.Sticks));
+         Result.Is_Sent := True;
+      else
+         Has_Ended := False;
+         Result :=
+           (Message => Got.Commands,
+            Is_Sent => Got.Has_Commands,
+            By_Law  => False,
+            By_Card => False,
+            Sticks  => No_Sticks);
+      end if;
+   end Fly;
 
    function Engine_After
      (Before  : Monitor;
@@ -115,20 +135,15 @@ package body URV.LAW_Steps with SPARK_Mode is
            Test_Runs.After_Block (Got.Block, This.Cards, Usual.On);
       end if;
 
-      Fly (This.Flown, In_Force (Usual, This.Set), Got, Result.Flown);
+      Fly
+        (This.Flown, This.Cards, This.Watched, In_Force (Usual, This.Set),
+         Got, Result.Flown, Result.Has_Ended);
       if Usual.On then
-         Run_Cards
-           (This.Cards, This.Flown, This.Watched, Got, Result.Flown,
-            Result.Has_Ended);
-         pragma Assert
-           (if not Result.Flown.By_Law and then not Result.Flown.By_Card
-            then Result.Flown.Message = Commands_Of (Got));
-         Result.Added := This.Cards.Run.Added;
+         Result.Added := Test_Runs.To_Servos (This.Cards.Run);
          Watch
            (This.Watched, This.Flown.Checks, Result.Flown, Result.Added, Got,
             Result.Reported);
       else
-         Result.Has_Ended := False;
          Result.Added := Nothing_Added;
          Result.Reported := All_Well;
       end if;

@@ -15,6 +15,7 @@ with URVOS;               use URVOS;
 with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
 with URV.Configurations;  use URV.Configurations;
+with URV.Law_Inputs;      use URV.Law_Inputs;
 with URV.Laws;            use URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Routing;         use URV.Routing;
@@ -68,19 +69,20 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
    end record;
 
    --  The laws' part: the message for the PWM task, and whether it is sent.
-   --  By_Law: a law flies. By_Card: a test card adds its inputs, or has just
-   --  stopped.
+   --  By_Law: a law flies. By_Card: a test card adds its inputs to servos or
+   --  sticks, or has just stopped. Sticks: its inputs to the sticks.
    type Flight is record
       Message : Uplink_Buffer;
       Is_Sent : Boolean;
       By_Law  : Boolean;
       By_Card : Boolean;
+      Sticks  : Stick_Inputs;
    end record;
 
    --  The results of a frame besides the memory. Reported: the failures that
-   --  other surfaces make up for. Added: the test inputs. Reply, Card_Reply:
-   --  the answers to a configuration and to a card; Taken if none has come.
-   --  Has_Ended: a card ended, or did not start.
+   --  other surfaces make up for. Added: the test inputs to the servos. Reply,
+   --  Card_Reply: the answers to a configuration and to a card; Taken if none
+   --  has come. Has_Ended: a card ended, or did not start.
    type Decision is record
       Flown      : Flight;
       Reported   : Health;
@@ -152,8 +154,8 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
    --  With the laws off, new commands pass unchanged. A law that flies marks
    --  no commands as old, and leaves brake and switches to the pilot. With a
    --  test card all words are those of the last commands that were not marked
-   --  as old. No law flies and no card adds before the first commands, nor
-   --  after the pilot's disconnect.
+   --  as old, the sticks with its inputs. No law flies and no card adds before
+   --  the first commands, nor after the pilot's disconnect.
    function Is_Flight
      (Item   : Flight;
       Before : Laws.Memory;
@@ -173,11 +175,14 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
          then not Is_Old (Item.Message)
            and then
              (for all Name in Command_Item =>
-                Item.Message (Name) = After.Heard (Name))
+                Item.Message (Name) =
+                  Stick_Word
+                    (After.Heard (Name), Input_Of (Name, Item.Sticks)))
          else not Is_Old (Item.Message)
            and then
              (for all Name in Command_Item range Brake .. Switch_8 =>
                 Item.Message (Name) = After.Heard (Name)))
+      and then (if not Item.By_Card then Item.Sticks = No_Sticks)
       and then
         (if On and then not Is_Old (Commands_Of (Got))
          then After.Heard = Commands_Of (Got)
@@ -191,18 +196,6 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
            or else Is_Disconnected (Commands_Of (Got))
          then not Item.By_Law and then not Item.By_Card))
    with Global => null, Ghost;
-
-   procedure Fly
-     (This   : in out Laws.Memory;
-      Used   : Settings;
-      Got    : Inputs;
-      Result : out Flight)
-   with
-     Global => null,
-     Post   =>
-       Is_Flight (Result, This'Old, This, Used.On, Got)
-       and then not Result.By_Card
-       and then (if not Used.On then This = This'Old);
 
    --  Test cards
 
@@ -221,51 +214,50 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Is_Cut    => Is_Cut (Flown, Got),
       Is_Linked => Flown.Link.State = Linked,
       Failed    => Watched.Failed /= None,
+      Flown     => Flown.Flown,
       Checks    => Flown.Checks)
    with Global => null;
 
-   --  The test cards after a frame of the laws. Their inputs change the laws'
-   --  part. A card begins only when new commands have switch 5 on.
-   procedure Run_Cards
-     (Cards     : in out Test_Runs.Aboard;
-      Flown     : Laws.Memory;
+   --  The laws' frame with its test card. The card sees what the laws have
+   --  observed in this frame, and its inputs change their work in it. A card
+   --  begins only when new commands have switch 5 on. With the laws off, cards
+   --  are unchanged.
+   procedure Fly
+     (This      : in out Laws.Memory;
+      Cards     : in out Test_Runs.Aboard;
       Watched   : Monitor;
+      Used      : Settings;
       Got       : Inputs;
-      Result    : in out Flight;
+      Result    : out Flight;
       Has_Ended : out Boolean)
    with
      Global => null,
-     Pre    => not Result.By_Card,
      Post   =>
-       Cards.Run =
-         Test_Runs.Next
-           (Cards'Old.Run, Cards'Old.Deck, Sight_Of (Flown, Watched, Got))
+       Is_Flight (Result, This'Old, This, Used.On, Got)
+       and then (if not Used.On then This = This'Old)
        and then Cards.Deck = Cards'Old.Deck
-       and then Result.Is_Sent = Result.Is_Sent'Old
-       and then Result.By_Law = Result.By_Law'Old
        and then
-         (if Result.By_Card then not Is_Cut (Flown, Got)
-          else Cards.Run.Added = Nothing_Added)
+         (if Used.On
+          then Cards.Run =
+            Test_Runs.Next
+              (Cards'Old.Run, Cards'Old.Deck, Sight_Of (This, Watched, Got))
+          else Cards.Run = Cards'Old.Run)
        and then
-         (if Result.By_Card and then not Result.By_Law
-          then not Is_Old (Result.Message)
-            and then
-              (for all Name in Command_Item =>
-                 Result.Message (Name) = Flown.Heard (Name))
-          else Result.Message = Result.Message'Old)
+         (if Used.On and then not Result.By_Card
+          then Test_Runs.To_Servos (Cards.Run) = Nothing_Added)
        and then
          (if Test_Runs.Is_Running (Cards.Run)
             and then not Test_Runs.Is_Running (Cards.Run'Old)
           then not Is_Old (Commands_Of (Got))
-            and then PWM_Transform.Is_On (Flown.Heard (Switch_5)));
+            and then PWM_Transform.Is_On (This.Heard (Switch_5)));
 
    --  Surfaces and engine
 
    --  The sensors show how surfaces and engine have followed. The monitor then
    --  takes the words that the PWM task makes of the message. Other surfaces
    --  make up for a failed one only while a law flies. Checks: the sensors'
-   --  validity in this frame. Added: the test inputs. Reported: the failures
-   --  that others make up for.
+   --  validity in this frame. Added: the test inputs to the servos. Reported:
+   --  the failures that others make up for.
    procedure Watch
      (This     : in out Monitor;
       Checks   : Check_Table;
@@ -289,7 +281,8 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
          (Message => Got.Commands,
           Is_Sent => Got.Has_Commands,
           By_Law  => False,
-          By_Card => False),
+          By_Card => False,
+          Sticks  => No_Sticks),
        Reported   => All_Well,
        Added      => Nothing_Added,
        Reply      => Taken,

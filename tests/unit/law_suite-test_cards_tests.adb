@@ -7,7 +7,11 @@ with Law_Rig;
 with URVOS;              use URVOS;
 with URV.Buffers;        use URV.Buffers;
 with URV.Card_Status;
+with URV.Law_Axes;
+with URV.Law_Inputs;
 with URV.Law_Units;      use URV.Law_Units;
+with URV.Laws;           use URV.Laws;
+with URV.Link_Loss;
 with URV.Sensor_Checks;  use URV.Sensor_Checks;
 with URV.Signal_Tables;  use URV.Signal_Tables;
 with URV.Test_Cards;     use URV.Test_Cards;
@@ -32,6 +36,11 @@ package body Test_Cards_Tests is
    procedure Restart_Ends;
    procedure Servo_Words;
    procedure Read_Back;
+   procedure Places;
+   procedure Place_Remains;
+   procedure Not_Followed_Ends;
+   procedure Stick_Words_Move;
+   procedure In_The_Laws;
 
    procedure Expect_Answer is new Expect_Value (Answer);
    procedure Expect_Verdict is new Expect_Value (Verdict);
@@ -81,6 +90,7 @@ package body Test_Cards_Tests is
       Is_Cut    => False,
       Is_Linked => True,
       Failed    => False,
+      Flown     => All_Direct,
       Checks    =>
         (for Item in Sensor_Item =>
            (Is_Valid => True,
@@ -95,6 +105,17 @@ package body Test_Cards_Tests is
    Switched : constant Situation :=
      (Calm with delta
         Heard => (Sticks with delta Switch_5 => On_Word));
+
+   Stick_Card : constant Card :=
+     (Doublet_Card with delta Surfaces => Stick_Place + 2#01_0101#);
+
+   Command_Card : constant Card :=
+     (Doublet_Card with delta Surfaces => Command_Place + 2#11_0101#);
+
+   --  Switch 5 is on, and all laws fly that have a command.
+   Holding_All : constant Situation :=
+     (Switched with delta
+        Flown => (Bank_By_Stick, Hold_Altitude, Hold_Airspeed));
 
    --  Takes a card with no card running.
    procedure Take (Item : in out Aboard; Source : Card);
@@ -175,7 +196,13 @@ package body Test_Cards_Tests is
             Value in 1 .. 800);
          Expect_Range
            ("surfaces" & Value'Image,
-            (Doublet_Card with delta Surfaces => Value), Value in 1 .. 63);
+            (Doublet_Card with delta Surfaces => Value),
+            Value in 1 .. 63
+            or else Value in 64 + 1 | 64 + 4 | 64 + 5 | 64 + 16 | 64 + 17
+                           | 64 + 20 | 64 + 21
+            or else
+              (Value in 128 + 1 .. 128 + 63
+               and then (Value and 2#00_1010#) = 0));
          Expect_Range
            ("time" & Value'Image,
             (Doublet_Card with delta Time => Value), Value >= 2);
@@ -541,6 +568,192 @@ package body Test_Cards_Tests is
          2 + 16 * 2 + 256 * 2 + 4_096 * Verdict'Pos (Well));
    end Read_Back;
 
+   --  The inputs are those at the servos, at their own place only.
+   procedure Places is
+      Servo   : Aboard := Started (Doublet_Card, 10);
+      Stick   : Aboard := Started (Stick_Card, 10);
+      Command : Aboard := Nothing_Aboard;
+      use URV.Law_Inputs;
+   begin
+      Fly (Command, 1);
+      Take (Command, Command_Card);
+      Fly (Command, 10, Holding_All);
+      for Frame in 1 .. 60 loop
+         Fly (Servo, 1, Switched);
+         Fly (Stick, 1, Switched);
+         Fly (Command, 1, Holding_All);
+         Expect
+           ("servo", To_Servos (Servo.Run) = Servo.Run.Added
+            and then To_Sticks (Servo.Run) = No_Sticks
+            and then To_Commands (Servo.Run) = No_Commands, True);
+         Expect
+           ("stick", To_Servos (Stick.Run) = Nothing_Added
+            and then To_Sticks (Stick.Run) =
+              (Servo.Run.Added (Left_Elevator),
+               Servo.Run.Added (Left_Elevator),
+               Stick.Run.Added (Left_Rudder))
+            and then To_Commands (Stick.Run) = No_Commands, True);
+         Expect
+           ("command", To_Servos (Command.Run) = Nothing_Added
+            and then To_Sticks (Command.Run) = No_Sticks
+            and then To_Commands (Command.Run) =
+              (Servo.Run.Added (Left_Elevator),
+               Servo.Run.Added (Left_Elevator),
+               Stick.Run.Added (Left_Rudder),
+               Stick.Run.Added (Left_Rudder)), True);
+      end loop;
+      Expect_Verdict ("servo", Servo.Run.Reason, Complete);
+      Expect_Verdict ("stick", Stick.Run.Reason, Complete);
+      Expect_Verdict ("command", Command.Run.Reason, Complete);
+   end Places;
+
+   --  A card of another place waits until the inputs are back.
+   procedure Place_Remains is
+      Item : Aboard := Nothing_Aboard;
+   begin
+      Fly (Item, 1);
+      Take (Item, (Doublet_Card with delta Amplitude => 800));
+      Take (Item, (Stick_Card with delta Head => 512 + 2));
+      Fly (Item, 10, Switched);
+      Fly (Item, 1);
+      Item.Run.Chosen := 2;
+      Fly (Item, 1, Switched);
+      Expect_Verdict ("too early", Item.Run.Reason, Inputs_Remain);
+      Expect ("no card", Is_Running (Item.Run), False);
+      Expect ("at its place", Item.Run.Place = At_Servo, True);
+      Expect ("still there", Item.Run.Added = Nothing_Added, False);
+      Fly (Item, 10);
+      Fly (Item, 1, Switched);
+      Expect ("it runs", Is_Running (Item.Run), True);
+      Expect ("at its place", Item.Run.Place = At_Stick, True);
+   end Place_Remains;
+
+   procedure Not_Followed_Ends is
+
+      --  A card with these inputs does not start with these modes, and ends in
+      --  their first frame.
+      procedure Expect_No_Run (Bits : Word; Before, After : Modes);
+
+      procedure Expect_No_Run (Bits : Word; Before, After : Modes) is
+         Item   : Aboard := Nothing_Aboard;
+         Source : constant Card :=
+           (Doublet_Card with delta Surfaces => Bits);
+      begin
+         Fly (Item, 1);
+         Take (Item, Source);
+         Fly (Item, 1, (Switched with delta Flown => After));
+         Expect_Verdict (Bits'Image & " starts", Item.Run.Reason,
+                         Not_Followed);
+         Fly (Item, 1);
+         Fly (Item, 10, (Switched with delta Flown => Before));
+         Expect (Bits'Image & " runs", Is_Running (Item.Run), True);
+         Fly (Item, 1, (Switched with delta Flown => After));
+         Expect (Bits'Image & " ends", Is_Running (Item.Run), False);
+         Expect_Verdict (Bits'Image, Item.Run.Reason, Not_Followed);
+         Fly (Item, 1, (Switched with delta Flown => After));
+         Expect (Bits'Image & ": at 0", Item.Run.Added = Nothing_Added, True);
+      end Expect_No_Run;
+
+      Held : constant Modes := Holding_All.Flown;
+   begin
+      Expect_No_Run
+        (Stick_Place + 1, All_Direct, (Wings_Level, Direct, Direct));
+      Expect_No_Run
+        (Stick_Place + 4, All_Direct, (Direct, Hold_Altitude, Direct));
+      Expect_No_Run (Command_Place + 1, Held, All_Direct);
+      Expect_No_Run (Command_Place + 1, Held, (Held with delta
+        Lateral => Damping));
+      Expect_No_Run (Command_Place + 4, Held, (Held with delta
+        Vertical => Damping));
+      Expect_No_Run (Command_Place + 16, Held, (Held with delta
+        Vertical => Pitch_By_Stick));
+      Expect_No_Run (Command_Place + 32, Held, (Held with delta
+        Power => Direct));
+   end Not_Followed_Ends;
+
+   procedure Stick_Words_Move is
+      use URV.Law_Inputs;
+      Given : constant Uplink_Buffer :=
+        (Sticks with delta
+           Roll => 2_000, Pitch => 100, Yaw => 16#FFFF#, Throttle => 77);
+      Moved : constant Uplink_Buffer :=
+        With_Sticks (Given, (Roll => 50, Pitch => -200, Yaw => 0));
+   begin
+      for Name in Command_Item loop
+         Expect_Number
+           (Name'Image, Integer (Moved (Name)),
+            (case Name is
+                when Roll   => 2_050,
+                when Pitch  => 0,
+                when others => Integer (Given (Name))));
+      end loop;
+   end Stick_Words_Move;
+
+   --  Each input reaches its law, and nothing else.
+   procedure In_The_Laws is
+      use URV.Law_Inputs;
+
+      Commands : constant Uplink_Buffer :=
+        (Sticks with delta
+           Switch_2 => On_Word, Switch_3 => On_Word, Throttle => 2_000);
+      Levels   : constant Downlink_Buffer :=
+        (for Item in Downlink_Item =>
+           (if Item = Altitude then 2_000
+            elsif Item = Airspeed then 70 * 32
+            elsif Item = Error_Status then 0
+            else Neutral_Value));
+      By       : constant URV.Link_Loss.Times := Laws_Off.By;
+
+      --  The memory after two seconds with these inputs.
+      function Flown
+        (Sticks : Stick_Inputs := No_Sticks;
+         Extra  : Command_Inputs := No_Commands) return Memory;
+
+      function Flown
+        (Sticks : Stick_Inputs := No_Sticks;
+         Extra  : Command_Inputs := No_Commands) return Memory
+      is
+         Item : Memory := At_Start;
+         Seen : Observation;
+      begin
+         for Frame in 1 .. 200 loop
+            Observe (Item, Commands, Levels, By, Seen);
+            Steer
+              (Item, Commands, Seen,
+               (if Frame > 100 then Sticks else No_Sticks),
+               (if Frame > 100 then Extra else No_Commands));
+         end loop;
+         return Item;
+      end Flown;
+
+      Calm : constant Memory := Flown;
+      Item : Memory;
+   begin
+      Expect ("the laws fly", Calm.Flown =
+                (Bank_By_Stick, Hold_Altitude, Hold_Airspeed), True);
+      Item := Flown (Sticks => (Roll => 400, others => 0));
+      Expect_Number
+        ("bank by stick", Item.Bank_Wanted,
+         Calm.Bank_Wanted + URV.Law_Axes.Stick_Bank (400));
+      Item := Flown (Extra => (Bank => 400, others => 0));
+      Expect_Number
+        ("bank command", Item.Bank_Wanted, Calm.Bank_Wanted + 8_000);
+      Expect_Number ("no pitch", Item.Pitch_Wanted, Calm.Pitch_Wanted);
+      Item := Flown (Extra => (Pitch => 100, others => 0));
+      Expect_Number
+        ("pitch command", Item.Pitch_Wanted, Calm.Pitch_Wanted + 2_000);
+      Item := Flown (Extra => (Altitude => 20, others => 0));
+      Expect
+        ("altitude command", Item.Pitch_Wanted > Calm.Pitch_Wanted, True);
+      Expect_Number ("is kept", Item.Height_Held, Calm.Height_Held);
+      Item := Flown (Extra => (Airspeed => 64, others => 0));
+      Expect
+        ("airspeed command", Item.Last.Throttle > Calm.Last.Throttle, True);
+      Expect_Number ("is kept", Item.Speed_Held, Calm.Speed_Held);
+      Item := Flown (Sticks => (Yaw => 300, others => 0));
+      Expect ("rudder", Item.Last.Yaw > Calm.Last.Yaw + 250, True);
+   end In_The_Laws;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -563,6 +776,19 @@ package body Test_Cards_Tests is
          Servo_Words'Access);
       Add
         (Suite, "FTI-2 a card is read back word for word", Read_Back'Access);
+      Add
+        (Suite, "FTI-3 inputs are added at the card's place", Places'Access);
+      Add
+        (Suite, "FTI-5 D-100 inputs return where they were added",
+         Place_Remains'Access);
+      Add
+        (Suite, "FTI-5 D-100 a card ends when nothing follows its input",
+         Not_Followed_Ends'Access);
+      Add
+        (Suite, "FTI-6 D-100 only the sticks' words get inputs",
+         Stick_Words_Move'Access);
+      Add
+        (Suite, "FTI-3 D-100 each input reaches its law", In_The_Laws'Access);
    end Add_To;
 
 end Test_Cards_Tests;
