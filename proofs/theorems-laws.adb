@@ -7,7 +7,9 @@ package body Theorems.Laws with SPARK_Mode is
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
-      Table    : Table_Number) is null;
+      Table    : Table_Number;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs) is null;
 
    procedure A_Change_Of_Mode_Is_Bumpless
      (Item     : Memory;
@@ -15,6 +17,8 @@ package body Theorems.Laws with SPARK_Mode is
       Sensors  : Downlink_Buffer;
       By       : Times;
       Table    : Table_Number;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs;
       After    : Memory) is null;
 
    procedure Authority_Is_Kept
@@ -23,6 +27,8 @@ package body Theorems.Laws with SPARK_Mode is
       Sensors  : Downlink_Buffer;
       By       : Times;
       Table    : Table_Number;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs;
       After    : Memory) is null;
 
    procedure Damping_Is_Small
@@ -188,6 +194,8 @@ package body Theorems.Laws with SPARK_Mode is
       Sensors  : Downlink_Buffer;
       By       : Times;
       Table    : Table_Number;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs;
       After    : Memory) is null;
 
    procedure Three_Bad_Scans_Are_Enough

@@ -12,8 +12,10 @@ with URV.Buffers;       use URV.Buffers;
 with URV.Integrators;   use URV.Integrators;
 with URV.Law_Axes;      use URV.Law_Axes;
 with URV.Law_Gains;     use URV.Law_Gains;
+with URV.Law_Inputs;    use URV.Law_Inputs;
 with URV.Law_Units;     use URV.Law_Units;
 with URV.Laws;          use URV.Laws;
+with URV.Laws.Frames;   use URV.Laws.Frames;
 with URV.Link_Loss;     use URV.Link_Loss;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Routing;       use URV.Routing;
@@ -29,17 +31,23 @@ package Theorems.Laws with SPARK_Mode, Ghost is
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
-      Table    : Table_Number)
+      Table    : Table_Number;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs)
    with
      Global => null,
      Pre    =>
        not Is_Old (Commands) and then Is_On (Commands (Switch_7)),
      Post   =>
-       Output (Next (Item, Commands, Sensors, By, Table), Commands) =
+       Output
+         (Next (Item, Commands, Sensors, By, Table, Sticks, Extra), Commands,
+          Sticks) =
          Commands
        and then
          Transform
-           (Output (Next (Item, Commands, Sensors, By, Table), Commands)) =
+           (Output
+              (Next (Item, Commands, Sensors, By, Table, Sticks, Extra),
+               Commands, Sticks)) =
              Transform (Commands);
 
    --  The first frame of a mode is like any other: an output of a law differs
@@ -50,10 +58,13 @@ package Theorems.Laws with SPARK_Mode, Ghost is
       Sensors  : Downlink_Buffer;
       By       : Times;
       Table    : Table_Number;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs;
       After    : Memory)
    with
      Global => null,
-     Pre    => After = Next (Item, Commands, Sensors, By, Table),
+     Pre    =>
+       After = Next (Item, Commands, Sensors, By, Table, Sticks, Extra),
      Post   =>
        (if not After.Is_Stick (Roll_Axis)
         then abs (After.Last.Roll - Item.Last.Roll) <= Roll_Step)
@@ -75,10 +86,13 @@ package Theorems.Laws with SPARK_Mode, Ghost is
       Sensors  : Downlink_Buffer;
       By       : Times;
       Table    : Table_Number;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs;
       After    : Memory)
    with
      Global => null,
-     Pre    => After = Next (Item, Commands, Sensors, By, Table),
+     Pre    =>
+       After = Next (Item, Commands, Sensors, By, Table, Sticks, Extra),
      Post   =>
        (if After.Flown.Lateral in Banked
           and then abs Item.Last.Roll <= Roll_Authority
@@ -271,10 +285,13 @@ package Theorems.Laws with SPARK_Mode, Ghost is
       Sensors  : Downlink_Buffer;
       By       : Times;
       Table    : Table_Number;
+      Sticks   : Stick_Inputs;
+      Extra    : Command_Inputs;
       After    : Memory)
    with
      Global => null,
-     Pre    => After = Next (Item, Commands, Sensors, By, Table),
+     Pre    =>
+       After = Next (Item, Commands, Sensors, By, Table, Sticks, Extra),
      Post   =>
        (if not After.Checks (Roll_Rate).Is_Valid
         then After.Flown.Lateral = Direct)

@@ -10,6 +10,7 @@
 with URV.Buffers;       use URV.Buffers;
 with URV.Console_Watch; use URV.Console_Watch;
 with URV.Laws;          use type URV.Laws.Memory, URV.Laws.Modes;
+with URV.Laws.Frames;
 with URV.Link_Loss;     use type URV.Link_Loss.Link_Memory;
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.PWM_Transform; use URV.PWM_Transform;
@@ -101,8 +102,8 @@ package Theorems.Lost_Console with SPARK_Mode, Ghost is
      Pre    =>
        Is_Old (From_Console)
        and then Is_Old (From_Link)
-       and then One = URV.Laws.Next (Before, From_Console, Sensors, By)
-       and then Other = URV.Laws.Next (Before, From_Link, Sensors, By),
+       and then One = URV.Laws.Frames.Next (Before, From_Console, Sensors, By)
+       and then Other = URV.Laws.Frames.Next (Before, From_Link, Sensors, By),
      Post   =>
        One.Link = URV.Link_Loss.After_Silence (Before.Link, By)
        and then One.Link = Other.Link

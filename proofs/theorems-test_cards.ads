@@ -6,9 +6,11 @@
 --  commands and states of the link.
 
 with URV.Buffers;       use URV.Buffers;
+with URV.Card_Blocks;   use URV.Card_Blocks;
 with URV.Law_Inputs;    use URV.Law_Inputs;
 with URV.PWM_Transform; use URV.PWM_Transform;
 with URV.Test_Cards;    use URV.Test_Cards;
+with URV.Test_Envelopes; use URV.Test_Envelopes;
 with URV.Test_Inputs;   use URV.Test_Inputs;
 with URV.Test_Runs;     use URV.Test_Runs;
 with URVOS;             use URVOS;

@@ -41,7 +41,8 @@ FIELD = 4_095
 
 VERDICTS = ("none", "complete", "switched off", "disconnected", "link lost",
             "stick moved", "sensor invalid", "envelope left",
-            "surface failed", "restarted", "not loaded")
+            "surface failed", "restarted", "not loaded", "not followed",
+            "inputs remain")
 
 SLACK_ROWS = monitor.CARD_ROWS
 """A card may run for this number of rows after its envelope was left."""
@@ -129,8 +130,15 @@ def some_card(chance):
         first, last = (chance.randrange(10, 1_001) for _ in range(2))
     elif kind == "exponential sweep":
         first, last = chance.randrange(10, 300), chance.randrange(1, 449)
+    surfaces = surfaces or cards.AXES["pitch"]
+    place = chance.choice(("servo", "servo", "stick", "command"))
+    if place != "servo":
+        inputs = [*cards.PLACES[place]]
+        surfaces = tuple(each for each in inputs if chance.random() < 0.4) or (
+            chance.choice(inputs),)
+        is_single = kind == "multisine"
     return cards.Card(
-        slot=slot, kind=kind, surfaces=surfaces or cards.AXES["pitch"],
+        slot=slot, kind=kind, surfaces=surfaces, place=place,
         is_single=is_single,
         amplitude=chance.choice((1, 50, 300, 800)),
         time=chance.randrange(2, 300 if kind in cards.PULSES else 500),
@@ -144,9 +152,9 @@ def some_card(chance):
 
 def sticks(chance):
     """Switch 5 goes on and off; sticks, laws and disconnect now and then."""
-    names = "throttle,switch5,switch7,switch1,switch2,roll,pitch,yaw"
-    rows, at = [(0, MIDDLE, OFF, OFF, OFF, OFF, MIDDLE, MIDDLE, MIDDLE)], (
-        STARTS_FROM_MS)
+    names = ("throttle,switch5,switch7,switch1,switch2,switch3,switch4,roll,"
+             "pitch,yaw")
+    rows, at = [(0, MIDDLE, *(OFF,) * 6, *(MIDDLE,) * 3)], STARTS_FROM_MS
     while at < SECONDS * 1_000:
         stick = [MIDDLE + chance.choice((0, 0, 0, 0, 150, -199, 202, 900))
                  for _ in range(3)]
@@ -155,7 +163,8 @@ def sticks(chance):
         rows.append((at, MIDDLE, chance.choice((ON, ON, OFF)),
                      chance.choice((OFF,) * 7 + (ON,)),
                      chance.choice((OFF, ON)), chance.choice((OFF, ON)),
-                     *stick))
+                     chance.choice((OFF, ON)),
+                     chance.choice((OFF, OFF, OFF, ON)), *stick))
         at += chance.randrange(60, 1_800)
     return f"time_ms,{names}\n" + "".join(
         f"{','.join(map(str, row))}\n" for row in rows)
@@ -220,6 +229,10 @@ def fly(flight, folder):
 #  The checks
 
 
+NO_INPUT = (0, 0b101010, 0b001010)
+"""Bits of a card that are none of its inputs, by the place."""
+
+
 def is_valid(words):
     """The aircraft may take this block: docs/design.md, test cards."""
     if words[11] != sum_of(words):
@@ -238,7 +251,9 @@ def is_valid(words):
     signals = len(moved) if grouping else sum(map(bool, pairs))
     harmonic, count = last // 16, last % 16
     return (grouping <= is_sines
-            and 1 <= bits <= 63 and 1 <= amplitude <= cards.MOST_AMPLITUDE
+            and bits >> cards.PLACE_BITS < len(cards.PLACES) and moved
+            and not bits & NO_INPUT[bits >> cards.PLACE_BITS]
+            and 1 <= amplitude <= cards.MOST_AMPLITUDE
             and time >= 2
             and (first == last == 0 if name in cards.PULSES
                  else 10 <= first <= 1_000 and 10 <= last <= 1_000
@@ -277,6 +292,28 @@ def is_outside(words, row):
             or int(row["mcs.downlink.airspeed"]) < slow
             or fast != FIELD and int(row["mcs.downlink.airspeed"]) > fast
             or int(row["mcs.downlink.altitude"]) < low)
+
+
+#  The places of modes among their names: tables.json.
+LATERAL_STICK, LATERAL_COMMAND = (0, 1, 2), (2, 3, 4)
+VERTICAL_STICK, VERTICAL_COMMAND = (0, 1, 2), (2, 3, 4)
+ALTITUDE, AIRSPEED = 3, 1
+
+
+def is_followed(words, row):
+    """The laws' modes are those in which each input reaches the aircraft."""
+    bits = words[1]
+    lateral, vertical, power = (
+        int(row[f"laws.{axis}"]) for axis in ("lateral", "vertical", "power"))
+    needed = {
+        "servo": (),
+        "stick": ((0, lateral in LATERAL_STICK),
+                  (2, vertical in VERTICAL_STICK)),
+        "command": ((0, lateral in LATERAL_COMMAND),
+                    (2, vertical in VERTICAL_COMMAND),
+                    (4, vertical == ALTITUDE), (5, power == AIRSPEED))}
+    return all(is_met or not bits >> bit & 1 for bit, is_met in needed[
+        [*cards.PLACES][bits >> cards.PLACE_BITS]])
 
 
 def runs_of(rows):
@@ -331,6 +368,10 @@ def judged(flight, folder):
             if all(is_outside(words, row) for words in own
                    for row in run[place:place + SLACK_ROWS + 1]):
                 findings.append(f"{where} goes on outside its envelope")
+                break
+            if not any(is_followed(words, row) for words in own
+                       for row in run[place:place + SLACK_ROWS + 1]):
+                findings.append(f"{where} goes on, and nothing follows it")
                 break
     events = [json.loads(line) for line in (
         folder / "events.jsonl").read_text("utf-8").splitlines()]

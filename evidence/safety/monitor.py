@@ -192,11 +192,13 @@ class Record:
         self.links = [int(row[titles.index("laws.link")]) for row in rows]
         first = titles.index(f"laws.added.{ADDED[0]}")
         self.added = self._words(rows, slice(first, first + len(ADDED)))
+        where = [int(row[titles.index("laws.card_place")]) for row in rows]
         # The row may be taken between the law's task and that of the servos.
         is_late, before, found = False, None, []
         for place, words in enumerate(self.pwm):
             choices = {late: without_inputs(
-                words, self.added[max(place - late, 0)])
+                words, self.added[max(place - late, 0)],
+                where[max(place - late, 0)])
                 for late in (is_late, not is_late)}
             known = {transformed(row[:13])[:len(ADDED)] for row in
                      self.mcs_uplink[max(place - 1, 0):place + 2]}

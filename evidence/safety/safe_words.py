@@ -41,13 +41,21 @@ def unattended(servos):
                  for place, word in enumerate(SAFE_ROW))
 
 
-# A card's inputs change these only (FTI-6). In the record an input is the word
-# of a centred servo with it.
+# A card's inputs to the servos change these only (FTI-6). In the record an input
+# is the word of a centred servo with it. Inputs to the sticks of roll, pitch and
+# yaw have the places of the left surfaces; that of yaw steers, too. A law makes
+# servo words of the inputs to its commands.
 ADDED = SERVOS[:6]
+AT_SERVO, AT_STICK, AT_COMMAND = range(3)
 
 
-def without_inputs(servos, added):
-    """The outputs without the inputs of a test card."""
+def without_inputs(servos, added, where=AT_SERVO):
+    """The outputs without the inputs of a test card. Where: their place."""
+    if where == AT_COMMAND:
+        return tuple(servos)
+    if where == AT_STICK:
+        roll, pitch, yaw = added[::2]
+        added = (roll, roll, pitch, pitch, yaw, yaw, yaw)
     return tuple(
         word if place >= len(added) or added[place] == MIDDLE
         else word - added[place] + MIDDLE

@@ -121,8 +121,10 @@ def lines(card):
     """The card as text."""
     largest = {each: abs(values).max()
                for each, values in card.signals().items()}
+    place = "" if card.place == "servo" else f" {card.place}"
     yield (f"slot {card.slot}: {card.name or card.kind}: {card.seconds:g} s, "
-           + ", ".join(f"{each.replace('_', ' ')} {size:.2f} deg"
+           + ", ".join(f"{each.replace('_', ' ')}{place} {size:.2f}"
+                       f" {card.unit(each)}"
                        for each, size in largest.items()))
     if card.kind == "multisine":
         shown = set()

@@ -30,7 +30,7 @@ def page(deck, name):
 
 
 def spectrum(values):
-    """Amplitudes in degrees by frequency in Hz."""
+    """Amplitudes by frequency in Hz."""
     size = max(len(values), SHORTEST)
     return (numpy.fft.rfftfreq(size, 1 / cards.FRAMES_PER_S),
             2 * abs(numpy.fft.rfft(values, size)) / len(values))
@@ -40,8 +40,9 @@ def _card(card):
     signals = card.signals()
     shown = {}
     for surface, values in signals.items():
+        place = "" if card.place == "servo" else f" {card.place}"
         shown.setdefault(values.tobytes(), (values, []))[1].append(
-            surface.replace("_", " "))
+            surface.replace("_", " ") + place)
     groups = list(shown.values())
     key = ", ".join(
         f"<span style=\"color:{COLOURS[place]}\">{' and '.join(names)}</span>"
@@ -53,8 +54,9 @@ def _card(card):
         hertz, sizes = spectrum(values)
         bands.append((hertz[hertz <= MOST_HZ], sizes[hertz <= MOST_HZ]))
     title = escape(card.name or card.kind)
+    unit = card.unit(card.surfaces[0])
     return (f"<h2>Slot {card.slot}: {title}</h2>\n<p>{key}</p>\n"
-            + _plot(times, "s", "deg") + _plot(bands, "Hz", "deg"))
+            + _plot(times, "s", unit) + _plot(bands, "Hz", unit))
 
 
 def _plot(lines, across, up):

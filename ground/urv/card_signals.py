@@ -22,7 +22,7 @@ def words_added(card):
     """Words by surface and frame, until the input is back at 0."""
     found = {}
     for surface, wanted in targets(card).items():
-        step = cards.RATES[cards.family(surface)] // cards.FRAMES_PER_S
+        step = card.rate(surface) // cards.FRAMES_PER_S
         value, values = 0, []
         for target in [*wanted.tolist(), *[0] * (
                 cards.MOST_AMPLITUDE // step + 1)]:

@@ -23,8 +23,22 @@ SLOTS = range(1, 9)
 SURFACES = ("left_aileron", "right_aileron", "left_elevator",
             "right_elevator", "left_rudder", "right_rudder")
 AXES = {"roll": SURFACES[:2], "pitch": SURFACES[2:4], "yaw": SURFACES[4:]}
+PLACES = {
+    "servo": dict(zip(SURFACES, range(6), strict=True)),
+    "stick": {"roll": 0, "pitch": 2, "yaw": 4},
+    "command": {"bank": 0, "pitch": 2, "altitude": 4, "airspeed": 5}}
+"""The inputs that each place has, with their bits: URV.Test_Cards."""
+PLACE_BITS = 6
 DEGREES = {"aileron": 0.01, "elevator": 0.0125, "rudder": 0.0125}
 """Degrees of a word."""
+UNITS = {"servo": dict.fromkeys(SURFACES, "deg"),
+         "stick": dict.fromkeys(PLACES["stick"], "%"),
+         "command": {"bank": "deg", "pitch": "deg", "altitude": "ft",
+                     "airspeed": "kt"}}
+SIZES = {"%": 100 / 2_048, "deg": 0.02, "ft": 0.5, "kt": 1 / 32}
+"""The size of a word at the sticks and at the commands, by its unit."""
+AMPLITUDES = {"%": "amplitude_percent", "deg": "amplitude_deg",
+              "ft": "amplitude_ft", "kt": "amplitude_kt"}
 KINDS = ("empty", "step", "doublet", "3-2-1-1", "linear sweep",
          "exponential sweep", "multisine", "choose")
 PULSES = {"step": 1, "doublet": 2, "3-2-1-1": 7}
@@ -39,8 +53,9 @@ MOST_SINES = 12
 NO_LIMIT = 63
 FIELD = 4_095
 
-RATES = {"aileron": 7_500, "elevator": 7_500, "rudder": 5_000}
-"""The rate limits of inputs, in words a second: URV.Law_Gains."""
+RATES = (7_500, 7_500, 7_500, 7_500, 5_000, 5_000)
+"""The rate limits of inputs by their bits, in words a second: URV.Law_Gains."""
+
 
 def family(surface):
     return surface.split("_")[1]
@@ -48,7 +63,8 @@ def family(surface):
 
 @dataclass(frozen=True)
 class Card:
-    """A card in the words of its block; see URV.Test_Cards.Card_Item."""
+    """A card in the words of its block; see URV.Test_Cards.Card_Item. The
+    surfaces are sticks or commands at other places."""
 
     slot: int
     kind: str
@@ -65,6 +81,7 @@ class Card:
     slowest: int = 0
     fastest: int = FIELD
     lowest: int = 0
+    place: str = "servo"
     name: str = field(default="", compare=False)
 
     @property
@@ -77,7 +94,8 @@ class Card:
                 + KINDS.index(self.kind))
         card = (head, *(0,) * 10) if not self.is_signal else (
             head,
-            sum(1 << SURFACES.index(each) for each in self.surfaces),
+            sum(1 << PLACES[self.place][each] for each in self.surfaces)
+            + ([*PLACES].index(self.place) << PLACE_BITS),
             self.amplitude, self.time, self.first, self.last,
             self.bank + 64 * self.pitch, self.alpha + 64 * self.load,
             self.slowest, self.fastest, self.lowest)
@@ -96,14 +114,16 @@ class Card:
         head, bits, amplitude, time, first, last, attitude, airflow, *rest = (
             words)
         kind = head % 16
-        if not head // 256 or not 0 < kind < len(KINDS) - 1:
+        if not head // 256 or not 0 < kind < len(KINDS) - 1 or (
+                bits >> PLACE_BITS >= len(PLACES)):
             return None
+        place = [*PLACES][bits >> PLACE_BITS]
         return cls(head // 256, KINDS[kind],
-                   tuple(each for place, each in enumerate(SURFACES)
-                         if bits >> place & 1),
+                   tuple(each for each, bit in PLACES[place].items()
+                         if bits >> bit & 1),
                    bool(head // 16 % 16), amplitude, time, first, last,
                    attitude % 64, attitude // 64, airflow % 64, airflow // 64,
-                   *rest)
+                   *rest, place=place)
 
     @property
     def seconds(self):
@@ -154,9 +174,19 @@ class Card:
         from urv import card_signals
         return card_signals.words_added(self)
 
+    def unit(self, surface):
+        """Of an input."""
+        return UNITS[self.place][surface]
+
+    def rate(self, surface):
+        """The rate limit of an input, in words a second."""
+        return RATES[PLACES[self.place][surface]]
+
     def signals(self):
-        """Degrees by surface and frame."""
-        return {each: values * DEGREES[family(each)]
+        """By surface and frame, in the unit of each."""
+        return {each: values * (
+                    DEGREES[family(each)] if self.place == "servo"
+                    else SIZES[self.unit(each)])
                 for each, values in self.words_added().items()}
 
     def frequencies(self):
@@ -167,8 +197,8 @@ class Card:
 
 #  The file
 
-KEYS = {"slot", "name", "kind", "moves", "amplitude_deg", "pulse_s",
-        "length_s", "first_hz", "last_hz", "base_hz", "first_harmonic",
+KEYS = {"slot", "name", "kind", "added_to", "moves", *AMPLITUDES.values(),
+        "pulse_s", "length_s", "first_hz", "last_hz", "base_hz", "first_harmonic",
         "harmonics", "bank_deg", "pitch_deg", "alpha_deg", "load_g",
         "slowest_kt", "fastest_kt", "lowest_ft"}
 
@@ -235,21 +265,51 @@ class _Reader:
         return round(value * factor)
 
     def surfaces(self):
-        """The surfaces that move, and whether each has its own signal."""
+        """The place of the inputs, the surfaces, sticks or commands that move,
+        and whether each has its own signal."""
+        place = self.table.get("added_to", "servo")
+        if place not in PLACES:
+            raise faults.Refused(
+                f"{self.where}: added_to is one of {', '.join(PLACES)}")
         moves = self.table.get("moves")
-        names = (*AXES, *SURFACES)
+        names = (*AXES, *SURFACES) if place == "servo" else PLACES[place]
         if not isinstance(moves, list) or not moves or any(
                 each not in names for each in moves):
             raise faults.Refused(
-                f"{self.where}: moves is a list of {', '.join(AXES)},"
-                f" {', '.join(SURFACES)}")
+                f"{self.where}: moves is a list of {', '.join(names)}"
+                + ("" if place == "servo"
+                   else f", for inputs that are added to a {place}"))
+        if place != "servo":
+            return place, tuple(
+                each for each in PLACES[place] if each in moves), True
         are_axes = [each in AXES for each in moves]
         if any(are_axes) and not all(are_axes):
             raise faults.Refused(
                 f"{self.where}: moves has axes or surfaces, not both")
         chosen = {each for move in moves for each in AXES.get(move, (move,))}
-        return tuple(each for each in SURFACES if each in chosen), not any(
-            are_axes)
+        return place, tuple(
+            each for each in SURFACES if each in chosen), not any(are_axes)
+
+    def amplitude(self, place, surfaces):
+        """In words."""
+        units = {UNITS[place][each] for each in surfaces}
+        if len(units) > 1:
+            raise faults.Refused(
+                f"{self.where}: {', '.join(surfaces)} have different units; a"
+                " card has one amplitude")
+        unit = units.pop()
+        for other, key in AMPLITUDES.items():
+            if other != unit and key in self.table:
+                raise faults.Refused(
+                    f"{self.where}: {key} is not for {', '.join(surfaces)},"
+                    f" {AMPLITUDES[unit]} is")
+        if place == "servo":
+            sizes = {DEGREES[family(each)] for each in surfaces}
+            size = sizes.pop() if len(sizes) == 1 else 0.0125
+        else:
+            size = SIZES[unit]
+        return self.number(AMPLITUDES[unit], size, MOST_AMPLITUDE * size,
+                           1 / size)
 
     def card(self):
         kind = self.table.get("kind")
@@ -257,18 +317,13 @@ class _Reader:
         if kind not in kinds:
             raise faults.Refused(
                 f"{self.where}: kind is one of {', '.join(kinds)}")
-        surfaces, is_single = self.surfaces()
+        place, surfaces, is_single = self.surfaces()
         is_sines = kind == "multisine"
-        per_word = min(DEGREES[family(each)] for each in surfaces)
-        if len({DEGREES[family(each)] for each in surfaces}) > 1:
-            per_word = 0.0125
         time, first, last = self.signal(kind)
         card = Card(
             slot=self.number("slot", 1, 8, 1, self.place),
             kind=kind, surfaces=surfaces, is_single=is_sines and is_single,
-            amplitude=self.number(
-                "amplitude_deg", per_word, MOST_AMPLITUDE * per_word,
-                1 / per_word),
+            amplitude=self.amplitude(place, surfaces),
             time=time, first=first, last=last,
             bank=self.number("bank_deg", 1, 62, 1, NO_LIMIT),
             pitch=self.number("pitch_deg", 1, 62, 1, NO_LIMIT),
@@ -277,7 +332,7 @@ class _Reader:
             slowest=self.number("slowest_kt", 0, 127.9, 32, 0),
             fastest=self.number("fastest_kt", 0, 127.9, 32, FIELD),
             lowest=self.number("lowest_ft", 0, 2_047, 2, 0),
-            name=str(self.table.get("name", "")))
+            place=place, name=str(self.table.get("name", "")))
         if card.slowest > card.fastest:
             raise faults.Refused(
                 f"{self.where}: slowest_kt is above fastest_kt")

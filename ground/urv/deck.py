@@ -17,7 +17,8 @@ from urv import cards, faults, packets
 
 VERDICTS = ("none", "complete", "switched off", "disconnected", "link lost",
             "stick moved", "sensor not valid", "envelope left",
-            "surface failed", "warm start", "slot empty")
+            "surface failed", "warm start", "slot empty", "not followed",
+            "inputs remain")
 """The reason of the last end, in the order of URV.Test_Runs.Verdict."""
 EXPECTED = ("none", "complete", "switched off")
 """Ends that nobody needs to look at."""
@@ -185,7 +186,9 @@ class Deck:
 
 
 def moved(card: cards.Card) -> str:
-    """The axes, or single surfaces, that a card moves."""
+    """The axes or single surfaces, sticks or commands that a card moves."""
+    if card.place != "servo":
+        return ", ".join(f"{each} {card.place}" for each in card.surfaces)
     names, surfaces = [], set(card.surfaces)
     for axis, pair in cards.AXES.items():
         if surfaces.issuperset(pair) and not card.is_single:

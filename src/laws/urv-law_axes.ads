@@ -8,7 +8,6 @@
 
 with URV.Integrators; use URV.Integrators;
 with URV.Law_Gains;   use URV.Law_Gains;
-with URV.Law_Inputs;  use URV.Law_Inputs;
 with URV.Law_Units;   use URV.Law_Units;
 
 package URV.Law_Axes with Pure, SPARK_Mode is
@@ -25,6 +24,9 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    subtype Pitch_Trim is Number range -Pitch_Trim_Most .. Pitch_Trim_Most;
    subtype Height_Trim is Number range -Height_Trim_Most .. Height_Trim_Most;
    subtype Power_Trim is Number range 0 .. Lever'Last * 1_000;
+
+   --  A measured climb rate, thousandths of a foot a second.
+   subtype Climb_Reading is Number range -30_000 .. 30_000;
 
    --  The filtered altitude, thousandths of half a foot.
    subtype Smooth is Number range 0 .. Level'Last * 1_000;
@@ -125,14 +127,6 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (Within (Airspeed, Least_Speed, Orbit_Fastest) * Orbit_Bank / 100)
    with Global => null;
 
-   --  A test card's input to the demanded bank. The sum is within the bank of
-   --  a full stick.
-   function Moved_Bank (Aim : Bank_Command; Added : Increment)
-                        return Bank_Command
-   is
-     (Within (Aim + Added * Angle_For_Word, -Most_Bank, Most_Bank))
-   with Global => null;
-
    --  Pitch, in the same way as bank
 
    function Pitch_Error (Reference : Pitch_Command; Now : Readings)
@@ -165,14 +159,6 @@ package URV.Law_Axes with Pure, SPARK_Mode is
      (As_Pitch_Command (Level_Pitch + Stick * (Stick_Pitch / 16) / 128))
    with Global => null;
 
-   --  A test card's input to the demanded pitch, before its limits.
-   function Moved_Pitch (Aim : Unlimited; Added : Increment)
-                         return Unlimited
-   is
-     (Within
-        (Aim + Added * Angle_For_Word, Unlimited'First, Unlimited'Last))
-   with Global => null;
-
    --  The glide, with a valid airspeed
 
    function Glide_Pitch_Command (Airspeed : Level) return Pitch_Command is
@@ -180,11 +166,6 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    with Global => null;
 
    --  Altitude
-
-   --  A test card's input to the altitude that is held.
-   function Moved_Height (Held : Level; Added : Increment) return Level is
-     (Within (Held + Added, 0, Level'Last))
-   with Global => null;
 
    function Wanted_Climb (Target : Level; Now : Readings) return Climb is
      (Within
@@ -237,11 +218,6 @@ package URV.Law_Axes with Pure, SPARK_Mode is
    with
      Global => null,
      Pre    => Moved in -4_095 .. 4_095;
-
-   --  A test card's input to the airspeed that is held.
-   function Moved_Speed (Held : Level; Added : Increment) return Level is
-     (Within (Held + Added, Least_Speed, Most_Speed))
-   with Global => null;
 
    function Unlimited_Throttle
      (Target : Level; Now : Readings; Wanted : Climb; Trim : Power_Trim)

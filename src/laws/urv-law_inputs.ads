@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The inputs of a test card to the sticks and to the laws' commands (FTI-3,
---  D-100). URV.Test_Runs makes them, URV.Laws uses them.
+--  FTI-6, D-100). URV.Test_Runs makes them, URV.Laws uses them.
 
 with URVOS;         use URVOS;
 with URV.Buffers;   use URV.Buffers;
@@ -78,8 +78,10 @@ package URV.Law_Inputs with Pure, SPARK_Mode is
    with
      Global => null,
      Post   =>
-       (for all Name in Command_Item =>
-          With_Sticks'Result (Name) =
-            Stick_Word (Commands (Name), Input_Of (Name, Added)));
+       With_Sticks'Result (Error_Status) = No_Error
+       and then
+         (for all Name in Command_Item =>
+            With_Sticks'Result (Name) =
+              Stick_Word (Commands (Name), Input_Of (Name, Added)));
 
 end URV.Law_Inputs;

@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URV.Integrators; use URV.Integrators;
-
 package body URV.Laws.Flying with SPARK_Mode is
 
    procedure Fly_Roll

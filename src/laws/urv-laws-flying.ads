@@ -1,7 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The flight of each axis in a frame, after the modes are decided (EXT-3,
---  EXT-8): its target, its output, its integrator. URV.Laws.Steer calls Fly.
+--  EXT-8, FTI-3): its target, its output, its integrator. The procedure
+--  URV.Laws.Frames.Steer calls Fly.
+
+with URV.Integrators; use URV.Integrators;
+with URV.Law_Inputs;  use URV.Law_Inputs;
 
 private package URV.Laws.Flying with Pure, SPARK_Mode is
 
@@ -104,6 +108,32 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
         (Before.Pitch_Trim, After.Pitch_Trim,
          Wanted => After.Pitch_Wanted, Measured => Pitch))
    with Ghost, Global => null;
+
+   --  A test card's input to the demanded bank. The sum is within the bank of
+   --  a full stick.
+   function Moved_Bank (Aim : Bank_Command; Added : Increment)
+                        return Bank_Command
+   is
+     (Within (Aim + Added * Angle_For_Word, -Most_Bank, Most_Bank))
+   with Global => null;
+
+   --  A test card's input to the demanded pitch, before its limits.
+   function Moved_Pitch (Aim : Unlimited; Added : Increment)
+                         return Unlimited
+   is
+     (Within
+        (Aim + Added * Angle_For_Word, Unlimited'First, Unlimited'Last))
+   with Global => null;
+
+   --  A test card's input to the altitude that is held.
+   function Moved_Height (Held : Level; Added : Increment) return Level is
+     (Within (Held + Added, 0, Level'Last))
+   with Global => null;
+
+   --  A test card's input to the airspeed that is held.
+   function Moved_Speed (Held : Level; Added : Increment) return Level is
+     (Within (Held + Added, Least_Speed, Most_Speed))
+   with Global => null;
 
    --  The airspeed that is demanded with this lever, and with this input of a
    --  test card.

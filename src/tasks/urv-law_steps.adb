@@ -2,6 +2,7 @@
 
 with URV.Engine_Monitor;
 with URV.Law_Units;     use URV.Law_Units;
+with URV.Laws.Frames;   use URV.Laws.Frames;
 with URV.Test_Cards;    use type URV.Test_Cards.Input_Place;
 
 package body URV.LAW_Steps with SPARK_Mode is
@@ -68,6 +69,30 @@ package body URV.LAW_Steps with SPARK_Mode is
             then With_Sticks (This.Heard, Result.Sticks)
             else Output (This, Commands, Result.Sticks));
          Result.Is_Sent := True;
+
+         --  Its parts, for the proof.
+         pragma Assert
+           (if not Result.By_Law and then not Result.By_Card
+            then Result.Message = Commands);
+         pragma Assert
+           (if Result.By_Law or else Result.By_Card
+            then not Is_Old (Result.Message));
+         pragma Assert
+           (if Result.By_Card and then not Result.By_Law
+            then
+              (for all Name in Command_Item =>
+                 Result.Message (Name) =
+                   Stick_Word
+                     (This.Heard (Name), Input_Of (Name, Result.Sticks))));
+         pragma Assert
+           (if Result.By_Law
+            then
+              (for all Name in Command_Item range Brake .. Switch_8 =>
+                 Result.Message (Name) = This.Heard (Name)));
+         pragma Assert
+           (if This.Link.State = Waiting
+              or else Is_Disconnected (Commands_Of (Got))
+            then not Result.By_Law and then not Result.By_Card);
       else
          Has_Ended := False;
          Result :=

@@ -2,9 +2,9 @@
 
 --  The decision of the LAW task (D-70): what it remembers, what the PWM task
 --  is given, which surfaces others make up for, and the inputs of a test card
---  (EXT-2, EXT-3, EXT-5, EXT-6, FTI-1, FTI-3, FTI-4, FTI-5, D-86). The task
---  receives, calls this decision, sends and reports; Theorems.Safety calls the
---  same decision.
+--  (EXT-2, EXT-3, EXT-5, EXT-6, FTI-1, FTI-3, FTI-4, FTI-5, D-86,
+--  D-100). The task receives, calls this decision, sends and reports;
+--  Theorems.Safety calls the same decision.
 --
 --  The decision has four parts, each in a package of its own (D-43): a
 --  configuration from the ground, the control laws, the test cards, and the

@@ -474,6 +474,6 @@ def test_frm7_a_frame_that_needs_new_gains_does_not_build(hundred):
         other = line.replace("1_000", f"{tick:_}")
         with replaced(hundred.copy / "src/kernel/urvos-frames.ads", line,
                       other):
-            result = hundred.build("urv.gpr", "-u", "-c", "urv-laws.adb")
+            result = hundred.build("urv.gpr", "-u", "-c", "urv-laws-frames.adb")
         assert result.returncode != 0, tick
         assert said in result.stderr, result.stderr

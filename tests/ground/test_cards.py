@@ -78,6 +78,80 @@ def test_fti7_bad_cards_are_refused_in_one_line(
     assert "\n" not in str(refused.value)
 
 
+PLACED = """
+[[card]]
+kind = "step"
+added_to = "stick"
+moves = ["pitch", "yaw"]
+amplitude_percent = 10
+pulse_s = 1
+
+[[card]]
+name = "bank step"
+kind = "step"
+added_to = "command"
+moves = ["bank"]
+amplitude_deg = 10
+pulse_s = 4
+
+[[card]]
+kind = "multisine"
+added_to = "command"
+moves = ["bank", "pitch"]
+amplitude_deg = 2
+length_s = 10
+base_hz = 0.1
+first_harmonic = 1
+harmonics = 4
+
+[[card]]
+kind = "doublet"
+added_to = "command"
+moves = ["airspeed"]
+amplitude_kt = 5
+pulse_s = 10
+"""
+
+
+def test_fti7_d100_inputs_to_sticks_and_commands_become_words(tmp_path):
+    deck = cards.read(written(tmp_path, PLACED))
+    assert [card.words()[:3] for card in deck] == [
+        (257, 64 + 4 + 16, 205), (513, 128 + 1, 500),
+        (768 + 16 + 6, 128 + 5, 100), (1_026, 128 + 32, 160)]
+    for card in deck:
+        assert cards.Card.of_words(card.words()[:11]) == card
+    assert deck[0].signals()["yaw"].max() == pytest.approx(10, abs=0.02)
+    assert deck[1].signals()["bank"].max() == 10
+    assert deck[2].harmonics("pitch") == [2, 4, 6, 8]
+    assert deck[3].signals()["airspeed"].max() == 5
+    result = run("check", tmp_path / "cards.toml", "--plot",
+                 tmp_path / "plot.html")
+    assert "slot 2: bank step: 4 s, bank command 10.00 deg" in result.stdout
+    assert "pitch stick 10.01 %" in result.stdout
+    assert "airspeed command 5.00 kt" in result.stdout
+    assert "pitch stick" in (tmp_path / "plot.html").read_text("utf-8")
+
+
+@pytest.mark.parametrize("before, after, message", [
+    ('"stick"', '"tail"', "card 1: added_to is one of servo, stick, command"),
+    ('"pitch", "yaw"', '"left_rudder"', "card 1: moves is a list of roll,"
+     " pitch, yaw, for inputs that are added to a stick"),
+    ('["bank"]', '["yaw"]', "card 2: moves is a list of bank, pitch,"
+     " altitude, airspeed, for inputs that are added to a command"),
+    ("amplitude_percent", "amplitude_deg",
+     "card 1: amplitude_deg is not for pitch, yaw, amplitude_percent is"),
+    ("amplitude_percent = 10", "amplitude_percent = 50",
+     "card 1: amplitude_percent is a number from 0.0488281 to 39.0625"),
+    ('["bank"]', '["bank", "altitude"]',
+     "card 2: bank, altitude have different units")])
+def test_fti7_d100_bad_places_are_refused(tmp_path, before, after, message):
+    assert before in PLACED
+    path = written(tmp_path, PLACED.replace(before, after, 1))
+    with pytest.raises(faults.Refused) as refused:
+        cards.read(path)
+    assert message in str(refused.value)
+
+
 def test_fti7_the_commands_print_and_plot(tmp_path):
     path = written(tmp_path, GOOD)
     plot = tmp_path / "plot.html"

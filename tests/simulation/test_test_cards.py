@@ -25,9 +25,19 @@ MULTISINE = cards.Card(
 SWEEP = cards.Card(
     slot=8, kind="exponential sweep", surfaces=("left_rudder",),
     amplitude=200, time=400, first=20, last=200)
+STICK = cards.Card(
+    slot=1, kind="doublet", place="stick", surfaces=("roll", "pitch", "yaw"),
+    amplitude=150, time=100, **LIMITS)
+BANK = cards.Card(
+    slot=1, kind="step", place="command", surfaces=("bank",),
+    amplitude=500, time=200, **LIMITS)
+SPEED = cards.Card(
+    slot=1, kind="step", place="command", surfaces=("altitude", "airspeed"),
+    amplitude=40, time=200)
 NEUTRAL = 2_048
 COMPLETE, SWITCHED_OFF, DISCONNECTED, LINK_LOST, STICK_MOVED = range(1, 6)
 SENSOR_INVALID, ENVELOPE_LEFT, SURFACE_FAILED, RESTARTED = range(6, 10)
+NOT_FOLLOWED = 11
 STARTS_MS = 4_000
 ON, OFF = 4_095, 0
 
@@ -90,6 +100,93 @@ def test_fti1_fti3_fti4_cards_run_in_order_as_the_ground_computes(tmp_path):
                 NEUTRAL + word for word in wanted.tolist()]
     for name in ("steering", "throttle", "brake", "left_flap_1"):
         assert len(set(flight.record[f"pwm.{name}"][250:])) == 1
+
+
+def test_fti3_d100_an_input_to_the_sticks_moves_what_they_move(tmp_path):
+    """Both sides and the steering, by the words of a scan and the input."""
+    flight = fly_cards(tmp_path / "f", (STICK,), switched(STARTS_MS),
+                       "--seconds", "8")
+    assert event(flight, "card_ended") == (1, 16 + COMPLETE)
+    first = flight.record["laws.card"].index(1)
+    assert flight.record["laws.card_place"][first] == 1
+    for stick, servos in (
+            ("roll", ("left_aileron", "right_aileron")),
+            ("pitch", ("left_elevator", "right_elevator")),
+            ("yaw", ("left_rudder", "right_rudder", "steering"))):
+        wanted = [NEUTRAL + word for word in STICK.words_added()[stick]]
+        for servo in servos:
+            assert flight.record[f"pwm.{servo}"][
+                first:first + len(wanted)] == wanted, servo
+    for name in ("throttle", "brake", "left_flap_1"):
+        assert len(set(flight.record[f"pwm.{name}"][250:])) == 1
+    # The pilot's sticks are the pilot's.
+    assert set(flight.record["mcs.uplink.roll"][first:]) == {NEUTRAL}
+
+
+def test_fti3_d100_a_step_of_the_bank_command_is_flown(tmp_path):
+    rest = {"names": "switch5,switch2", "rest": f",{ON}"}
+    flight = fly_cards(
+        tmp_path / "f", (BANK,), switched(STARTS_MS, **rest), "--seconds",
+        "9")
+    still = fly_cards(
+        tmp_path / "g", (BANK,), switched(10_000_000, **rest), "--seconds",
+        "9")
+    assert event(flight, "card_ended") == (1, 16 + COMPLETE)
+    first = flight.record["laws.card"].index(1)
+    ailerons, before = (each.record["pwm.left_aileron"]
+                        for each in (flight, still))
+    assert ailerons[:first] == before[:first]
+    # On the bench the bank never comes: the law asks for right aileron.
+    assert max(ailerons[first:first + 100]) > max(before) + 150
+    assert ailerons[-1] < max(ailerons[first:first + 100]) - 150
+    assert flight.record["pwm.left_elevator"] == still.record[
+        "pwm.left_elevator"]
+
+
+def test_fti3_d100_steps_of_altitude_and_airspeed_are_flown(tmp_path):
+    rest = {"names": "switch5,switch3", "rest": f",{ON}"}
+    flights_of = {
+        when: fly_cards(
+            tmp_path / str(when), (SPEED,), switched(when, **rest),
+            "--seconds", "9", sensors="time_ms,airspeed,altitude\n"
+            "0,2240,2000\n") for when in (STARTS_MS, 10_000_000)}
+    flight, still = flights_of.values()
+    assert event(flight, "card_ended") == (1, 16 + COMPLETE)
+    last = flight.record["laws.card"].index(1) + SPEED.length
+    for servo in ("left_elevator", "throttle"):
+        assert flight.record[f"pwm.{servo}"][last] > still.record[
+            f"pwm.{servo}"][last], servo
+
+
+@pytest.mark.parametrize("card, names, before, after", [
+    (BANK, "switch5,switch2", ON, OFF),
+    (STICK, "switch5,switch4", OFF, ON)])
+def test_fti5_d100_a_card_ends_when_nothing_follows_it(
+        tmp_path, card, names, before, after):
+    flight = fly_cards(
+        tmp_path / "f", (card,),
+        switched(STARTS_MS, names=names, rest=f",{before}")
+        + f"5000,2048,{ON},{after}\n", "--seconds", "7")
+    assert event(flight, "card_ended") == (1, 16 + NOT_FOLLOWED)
+    running = flight.record["laws.card"]
+    first, last = running.index(1), len(running) - 1 - running[::-1].index(1)
+    assert flight.record["time_ms"][last] <= 5_200
+    assert not any(inputs(flight, "left_aileron")[last + 12:])
+    # It does not start either.
+    flight = fly_cards(
+        tmp_path / "g", (card,),
+        switched(STARTS_MS, names=names, rest=f",{after}"), "--seconds", "7")
+    assert event(flight, "card_ended") == (1, 16 + NOT_FOLLOWED)
+    assert not any(flight.record["laws.card"])
+
+
+def test_fti5_d100_a_stick_against_its_own_input_ends_the_card(tmp_path):
+    """The pilot's stick counts, not the sum."""
+    flight = fly_cards(
+        tmp_path / "f", (cards.Card(**{**STICK.__dict__, "amplitude": 250}),),
+        switched(STARTS_MS, names="switch5,roll", rest=",2048")
+        + f"4500,2048,{ON},1840\n", "--seconds", "7")
+    assert event(flight, "card_ended") == (1, 16 + STICK_MOVED)
 
 
 def test_fti7_identify_finds_the_cards_of_a_flight(tmp_path):
@@ -189,17 +286,20 @@ def test_fti4_a_switch_that_was_left_on_starts_nothing(tmp_path):
 def test_fti7_d97_a_programme_runs_each_card_once_in_flight(tmp_path):
     """Trimmed, card, recovery, next; each is a manoeuvre for identify."""
     deck = [cards.Card(**{**DOUBLET.__dict__, "time": 50}),
-            cards.Card(**{**MULTISINE.__dict__, "amplitude": 100})]
+            cards.Card(**{**MULTISINE.__dict__, "amplitude": 100}),
+            cards.Card(**{**STICK.__dict__, "slot": 3, "time": 50}),
+            cards.Card(**{**BANK.__dict__, "slot": 4})]
     made = card_programme.of(deck)
     for name, text in (("sticks", made.sticks), ("orders", made.orders)):
         (tmp_path / name).write_text(text, encoding="ascii")
     flight = fly_in(tmp_path, "--plant", "jsbsim", "--sticks", "sticks",
                     "--orders", "orders", "--seconds", made.seconds)
     assert event(flight, "card_refused") is None
-    assert event(flight, "card_ended") == (2, 2 * 16 + COMPLETE)
+    assert event(flight, "card_ended") == (4, 4 * 16 + COMPLETE)
     found = manoeuvres.found(
         flights.read(tmp_path / "record.csv", lambda _: None))
-    assert [each.mark for each in found] == ["card"] * 2
+    assert [each.mark for each in found] == ["card"] * 4
+    assert found[3].axes[-1] == "lateral"
     # It has recovered.
     altitude = flight.record["mcs.downlink.altitude"]
     assert abs(altitude[-1] - altitude[250]) < 2 * 60
@@ -235,3 +335,10 @@ def test_fti1_the_checks_know_valid_cards():
                    {"slot": 9}, {"bank": 0}, {"slowest": 3_300}):
         wrong = cards.Card(**{**DOUBLET.__dict__, **change})
         assert not card_flights.is_valid(wrong.words()), change
+    for card in (STICK, BANK, SPEED):
+        words = list(card.words())
+        assert card_flights.is_valid(words)
+        # The bit of a right surface, which no stick or command has.
+        words[1] |= 0b000010
+        words[11] = card_flights.sum_of(words)
+        assert not card_flights.is_valid(words)

@@ -10,6 +10,7 @@ with URV.Configurations;
 with URV.CORE_Memory;   use URV.CORE_Memory;
 with URV.Law_Axes;
 with URV.Laws;          use URV.Laws;
+with URV.Laws.Frames;   use URV.Laws.Frames;
 with URV.Law_Gains;
 with URV.Law_Status;    use URV.Law_Status;
 with URV.Link_Loss;     use URV.Link_Loss;

@@ -16,6 +16,7 @@ with URV.Errors;         use URV.Errors;
 with URV.Law_Gains;
 with URV.Law_Status;
 with URV.Laws;           use URV.Laws;
+with URV.Laws.Frames;    use URV.Laws.Frames;
 with URV.Mailboxes;      use URV.Mailboxes;
 with URV.GDCOUT_Task;
 with URV.Routing;        use URV.Routing;

@@ -2,7 +2,7 @@
 
 with URV.Laws.Flying; use URV.Laws.Flying;
 
-package body URV.Laws with SPARK_Mode is
+package body URV.Laws.Frames with SPARK_Mode is
 
    procedure Observe
      (This     : in out Memory;
@@ -65,14 +65,16 @@ package body URV.Laws with SPARK_Mode is
       Commands : Uplink_Buffer;
       Sensors  : Downlink_Buffer;
       By       : Times;
-      Table    : Table_Number := 0) return Memory
+      Table    : Table_Number   := 0;
+      Sticks   : Stick_Inputs   := No_Sticks;
+      Extra    : Command_Inputs := No_Commands) return Memory
    is
       Seen : Observation;
    begin
       return After : Memory := This do
          Observe (After, Commands, Sensors, By, Seen);
-         Steer (After, Commands, Seen, No_Sticks, No_Commands, Table);
+         Steer (After, Commands, Seen, Sticks, Extra, Table);
       end return;
    end Next;
 
-end URV.Laws;
+end URV.Laws.Frames;

@@ -1,6 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-package body URV.Test_Cards with SPARK_Mode is
+package body URV.Card_Blocks with SPARK_Mode is
 
    function Sum_Of (Source : Card) return Field is
       Sum : Word := 0;
@@ -12,4 +12,4 @@ package body URV.Test_Cards with SPARK_Mode is
       return Sum mod 4_096;
    end Sum_Of;
 
-end URV.Test_Cards;
+end URV.Card_Blocks;
