@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URV.Laws.Frames;        use URV.Laws.Frames;
 with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
 
 package body Canaries.Mechanisms with SPARK_Mode is
