@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with URVOS;
+with URV.Card_Blocks;
 with URV.Configurations;
 with URV.Recorder_Blocks;
-with URV.Test_Cards;
 with URV.Type_Codes; use URV.Type_Codes;
 
 package body Partitions.Order_Packets is
@@ -83,7 +83,7 @@ package body Partitions.Order_Packets is
          Place := Place + 2;
       end loop;
       Is_Valid :=
-        URV.Test_Cards.Is_Whole (Block)
+        URV.Card_Blocks.Is_Whole (Block)
         or else URV.Recorder_Blocks.Is_Whole (Block);
    end Read_Words;
 
