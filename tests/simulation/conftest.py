@@ -43,7 +43,7 @@ from flight_numbers import (  # noqa: E402
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
 # Far longer than any flight of the tests takes; a hung program is a failure.
-TIME_LIMIT_S = 300
+TIME_LIMIT_S = 900
 
 
 class WireByte(NamedTuple):
