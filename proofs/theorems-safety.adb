@@ -166,6 +166,14 @@ package body Theorems.Safety with SPARK_Mode is
               (Outputs_Of (Scans, Item.Board_From, Item.Board_Sticks),
                Item.Board_Added);
             Without_Sticks (Scans, Item.Board_From, Item.Board_Sticks);
+            pragma Assert
+              (Item.Board =
+                 URV.PWM_Layout.To_Data_Area
+                   (Outputs_Of (Scans, Item.Board_From, Item.Board_Sticks)));
+            pragma Assert
+              (Item.Board =
+                 URV.PWM_Layout.To_Data_Area
+                   (Outputs_Of (Scans, Item.Board_From)));
          end if;
       else
          Same_Switches

@@ -111,6 +111,10 @@ package body Theorems.Spare_Bits with SPARK_Mode is
    begin
       Prove_Word (Clipped (Source (Right_Flap_1)), Frame_Mark);
       pragma Assert (First / 256 in 16#50# .. 16#5F#);
+      pragma Assert
+        (URV.Codecs.Downlink.Item_At (1) = Right_Flap_1
+         and then
+           URV.Codecs.Downlink.Words_Of (Packed (Source, Frame)) (1) = First);
    end No_Block_Looks_Sealed;
 
    procedure An_Older_Block_Has_No_Frame (Source : Downlink_Buffer) is null;
