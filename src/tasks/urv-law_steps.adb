@@ -7,6 +7,20 @@ with URV.Test_Cards;    use type URV.Test_Cards.Input_Place;
 
 package body URV.LAW_Steps with SPARK_Mode is
 
+   --  The laws use new commands, and keep the last ones. They wait until new
+   --  ones come.
+   function Is_Heard
+     (Before, After : Laws.Memory; Commands : Uplink_Buffer) return Boolean
+   is
+     ((for all Name in Uplink_Item =>
+         After.Heard (Name) =
+           (if Is_Old (Commands) then Before.Heard (Name)
+            else Commands (Name)))
+      and then
+        (if Before.Link.State = Waiting and then Is_Old (Commands)
+         then After.Link.State = Waiting))
+   with Ghost, Global => null;
+
    --  A test card's frame. Its inputs are those of this frame. Is_Moving: the
    --  servos or sticks have inputs, or had them in the last frame.
    procedure Run_Cards
@@ -52,17 +66,20 @@ package body URV.LAW_Steps with SPARK_Mode is
       Result    : out Flight;
       Has_Ended : out Boolean)
    is
+      Before   : constant Laws.Memory := This with Ghost;
       Commands : constant Uplink_Buffer := Commands_Of (Got);
       Seen     : Observation;
    begin
       if Used.On then
          Observe (This, Commands, Sensors_Of (Got), Used.By, Seen);
+         pragma Assert (Is_Heard (Before, This, Commands));
          Run_Cards
            (Cards, Sight_Of (This, Watched, Got), Result.By_Card, Has_Ended);
          Result.Sticks := Test_Runs.To_Sticks (Cards.Run);
          Steer
            (This, Commands, Seen, Result.Sticks,
             Test_Runs.To_Commands (Cards.Run), Used.Table);
+         pragma Assert (Is_Heard (Before, This, Commands));
          Result.By_Law := not Is_All_Stick (This);
          Result.Message :=
            (if Result.By_Card and then not Result.By_Law
