@@ -110,14 +110,15 @@ package body URV.LAW_Steps with SPARK_Mode is
            (if This.Link.State = Waiting
               or else Is_Disconnected (Commands_Of (Got))
             then not Result.By_Law and then not Result.By_Card);
+         pragma Assert
+           (if not Result.By_Card then Result.Sticks = No_Sticks);
+         pragma Assert
+           (if not Is_Old (Commands_Of (Got))
+            then This.Heard = Commands_Of (Got)
+            else This.Heard = Before.Heard);
       else
          Has_Ended := False;
-         Result :=
-           (Message => Got.Commands,
-            Is_Sent => Got.Has_Commands,
-            By_Law  => False,
-            By_Card => False,
-            Sticks  => No_Sticks);
+         Result := Without_Laws (Got);
       end if;
    end Fly;
 
@@ -188,6 +189,14 @@ package body URV.LAW_Steps with SPARK_Mode is
       else
          Result.Added := Nothing_Added;
          Result.Reported := All_Well;
+         pragma Assert (Result.Flown = Without_Laws (Got));
+         pragma Assert
+           (if not Got.Has_Block
+            then Result.Reply = Taken
+              and then Result.Card_Reply = Test_Runs.Taken
+              and then not Result.Has_Ended);
+         pragma Assert
+           (if not Got.Has_Block then Result = Passed_On (Got));
       end if;
    end Decide;
 

@@ -151,6 +151,15 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
 
    --  Control laws
 
+   --  With the laws off the commands pass on.
+   function Without_Laws (Got : Inputs) return Flight is
+     ((Message => Got.Commands,
+       Is_Sent => Got.Has_Commands,
+       By_Law  => False,
+       By_Card => False,
+       Sticks  => No_Sticks))
+   with Global => null;
+
    --  With the laws off, new commands pass unchanged. A law that flies marks
    --  no commands as old, and leaves brake and switches to the pilot. With a
    --  test card all words are those of the last commands that were not marked
@@ -234,14 +243,13 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
      Global => null,
      Post   =>
        Is_Flight (Result, This'Old, This, Used.On, Got)
-       and then (if not Used.On then This = This'Old)
-       and then Cards.Deck = Cards'Old.Deck
        and then
-         (if Used.On
-          then Cards.Run =
-            Test_Runs.Next
-              (Cards'Old.Run, Cards'Old.Deck, Sight_Of (This, Watched, Got))
-          else Cards.Run = Cards'Old.Run)
+         (if not Used.On
+          then This = This'Old
+            and then Result = Without_Laws (Got)
+            and then not Has_Ended)
+       and then Cards.Deck = Cards'Old.Deck
+       and then (if not Used.On then Cards.Run = Cards'Old.Run)
        and then
          (if Used.On and then not Result.By_Card
           then Test_Runs.To_Servos (Cards.Run) = Nothing_Added)
@@ -277,12 +285,7 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
    with Global => null;
 
    function Passed_On (Got : Inputs) return Decision is
-     ((Flown      =>
-         (Message => Got.Commands,
-          Is_Sent => Got.Has_Commands,
-          By_Law  => False,
-          By_Card => False,
-          Sticks  => No_Sticks),
+     ((Flown      => Without_Laws (Got),
        Reported   => All_Well,
        Added      => Nothing_Added,
        Reply      => Taken,
