@@ -2,6 +2,7 @@
 
 with Interfaces;      use Interfaces;
 with Telemetry;       use Telemetry;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
 with URV.Seals;       use URV.Seals;
 with URV.Sessions;    use URV.Sessions;
@@ -62,17 +63,18 @@ package body Seal_Tries is
       for Node of Nodes loop
          Pass (Node, 1);
       end loop;
-      Block := [for Each in Byte_Index => Byte (Random and 16#0F#)];
-      Close (Nodes (From), Block);
+      Close
+        (Nodes (From),
+         [for Each in Word_Place => Word (Random and 16#0F0F#)], Block);
    end Close_Next;
 
    procedure Exchange (From : Station; Block : out Block_Data) is
-      Copy : Block_Data;
-      What : Outcome;
+      Unused_Words : Block_Words;
+      Unused_What  : Outcome;
    begin
       Close_Next (From, Block);
-      Copy := Block;
-      Open (Nodes (Other (From)), Copy, True, What);
+      Open
+        (Nodes (Other (From)), Block, True, Unused_Words, Unused_What);
    end Exchange;
 
    procedure Begin_Session (Keys : Key_List) is
@@ -151,6 +153,7 @@ package body Seal_Tries is
 
       Kind  : Attack := Attack'First;
       Block : Block_Data;
+      Words : Block_Words;
       What  : Outcome;
    begin
       State := Unsigned_64 (Seed);
@@ -171,8 +174,8 @@ package body Seal_Tries is
          for At_Node in Station loop
             if At_Node = Station'Val (Which mod 2) then
                Block := Tried (Kind, At_Node);
-               Open (Nodes (At_Node), Block, True, What);
-               if (for some Each of Block => Each /= 0) then
+               Open (Nodes (At_Node), Block, True, Words, What);
+               if (for some Each of Words => Each /= 0) then
                   What := Opened;
                end if;
                Found (Kind, What) := Found (Kind, What) + 1;

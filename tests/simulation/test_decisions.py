@@ -80,7 +80,7 @@ def test_d46_a_node_has_one_to_four_processors_by_its_list():
 def test_d48_the_laws_know_no_codes():
     # A configuration and a test card are kinds of messages.
     assert users("Type_Codes", "src/laws") == [
-        "src/laws/urv-configurations.ads", "src/laws/urv-test_cards.ads"]
+        "src/laws/urv-card_blocks.ads", "src/laws/urv-configurations.ads"]
 
 
 def test_d49_only_the_table_of_items_knows_scales():
