@@ -3,9 +3,9 @@
 with Theorems.Seals;
 with URV.Codecs;       use URV.Codecs;
 with URV.Plain_Blocks; use URV.Plain_Blocks;
-with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Seals;       use URV.Seals;
-with URV.Sessions;    use URV.Sessions;
+with URV.Seal_Blocks;  use URV.Seal_Blocks;
+with URV.Seals;        use URV.Seals;
+with URV.Sessions;     use URV.Sessions;
 
 package body Theorems.Sealed_Commands with SPARK_Mode is
 

@@ -14,14 +14,14 @@
 --  reference is true again. It is true at first, since the ground makes its
 --  session after the aircraft.
 
-with Telemetry;       use Telemetry;
-with URVOS;           use URVOS;
-with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Handshakes;  use URV.Handshakes;
+with Telemetry;        use Telemetry;
+with URVOS;            use URVOS;
+with URV.Seal_Blocks;  use URV.Seal_Blocks;
+with URV.Handshakes;   use URV.Handshakes;
 with URV.Plain_Blocks; use URV.Plain_Blocks;
-with URV.Seals;       use URV.Seals;
-with URV.Sessions;    use URV.Sessions;
-with URV.Sip_Hash;    use URV.Sip_Hash;
+with URV.Seals;        use URV.Seals;
+with URV.Sessions;     use URV.Sessions;
+with URV.Sip_Hash;     use URV.Sip_Hash;
 with URV.Spare_Bits;
 
 package Theorems.Seals with SPARK_Mode, Ghost is

@@ -1,12 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Interfaces;      use Interfaces;
-with Telemetry;       use Telemetry;
+with Interfaces;       use Interfaces;
+with Telemetry;        use Telemetry;
 with URV.Plain_Blocks; use URV.Plain_Blocks;
-with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Seals;       use URV.Seals;
-with URV.Sessions;    use URV.Sessions;
-with URVOS;           use URVOS;
+with URV.Seal_Blocks;  use URV.Seal_Blocks;
+with URV.Seals;        use URV.Seals;
+with URV.Sessions;     use URV.Sessions;
+with URVOS;            use URVOS;
 
 package body Seal_Tries is
 

@@ -28,9 +28,11 @@ package Devices.PWM_Board with Pure, SPARK_Mode is
 
    type Untouched_Ticks is range 0 .. Hold_Ticks;
 
+   --  Changed: the words may be others than when the servos' side last looked.
    type Board_State is record
       Words     : Data_Area;
       Untouched : Untouched_Ticks := 0;
+      Changed   : Boolean         := True;
    end record;
 
    --  The controller has touched the board without changing its words.
@@ -39,7 +41,7 @@ package Devices.PWM_Board with Pure, SPARK_Mode is
    with Global => null;
 
    function Written (Area : Data_Area) return Board_State is
-     ((Words => Area, Untouched => 0))
+     ((Words => Area, Untouched => 0, Changed => True))
    with Global => null;
 
    --  A tick of the board's clock. Unattended are the words for an aircraft
@@ -48,21 +50,40 @@ package Devices.PWM_Board with Pure, SPARK_Mode is
      (This : Board_State; Unattended : Data_Area) return Board_State
    is
      (if This.Untouched >= Hold_Ticks - 1
-      then (Words => Unattended, Untouched => Hold_Ticks)
+      then (Words => Unattended, Untouched => Hold_Ticks, Changed => True)
       else (This with delta Untouched => This.Untouched + 1))
-   with Global => null;
+   with
+     Global => null,
+     Post   =>
+       (if Ticked'Result.Words /= This.Words then Ticked'Result.Changed);
 
    --  The next tick replaces the words.
    function Is_Left_Alone (This : Board_State) return Boolean is
      (This.Untouched >= Hold_Ticks - 1)
    with Global => null;
 
-   --  Any other tick in place, whatever the words without a controller are.
+   --  In place. Count_Tick is any other tick, whatever the words without a
+   --  controller are.
+
+   procedure Touch (This : in out Board_State)
+   with
+     Inline,
+     Global => null,
+     Post   => This = Touched (This'Old);
+
    procedure Count_Tick (This : in out Board_State)
    with
      Inline,
      Global => null,
      Pre    => not Is_Left_Alone (This),
      Post   => This = Ticked (This'Old, Unattended => This'Old.Words);
+
+   --  The servos' side looks.
+   procedure Take_Change (This : in out Board_State; Changed : out Boolean)
+   with
+     Inline,
+     Global => null,
+     Post   => Changed = This.Changed'Old
+       and then This = (This'Old with delta Changed => False);
 
 end Devices.PWM_Board;

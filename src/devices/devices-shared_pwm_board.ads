@@ -35,8 +35,7 @@ package Devices.Shared_PWM_Board with SPARK_Mode is
       function Is_Unattended return Boolean;
 
    private
-      State  : Board_State := (Words => Power_Up, Untouched => 0);
-      Is_New : Boolean     := True;
+      State : Board_State := (Words => Power_Up, others => <>);
    end Board;
 
 end Devices.Shared_PWM_Board;

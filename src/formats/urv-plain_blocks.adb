@@ -49,16 +49,4 @@ package body URV.Plain_Blocks with SPARK_Mode is
               Source (Which)));
    end Round_Trip;
 
-   procedure Round_Trip_Of_Bytes
-     (Source : Block_Data; Last : Word_Place; Where : Byte_Index)
-   is
-      Which : constant Word_Place := (Where + 1) / 2;
-   begin
-      pragma Assert
-        (if Where = 2 * Which - 1
-         then Source (Where) = Source (2 * Which - 1)
-         else Source (Where) = Source (2 * Which));
-      pragma Assert (Which <= Last);
-   end Round_Trip_Of_Bytes;
-
 end URV.Plain_Blocks;

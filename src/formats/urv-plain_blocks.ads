@@ -62,13 +62,4 @@ package URV.Plain_Blocks with Pure, SPARK_Mode is
           Decode (Encode (Source, Last), Last) (Which) =
             (if Which <= Last then Source (Which) else 0));
 
-   --  Encoding restores the bytes of a decoded block.
-   procedure Round_Trip_Of_Bytes
-     (Source : Block_Data; Last : Word_Place; Where : Byte_Index)
-   with
-     Ghost,
-     Global => null,
-     Pre    => Where <= 2 * Last,
-     Post   => Encode (Decode (Source, Last), Last) (Where) = Source (Where);
-
 end URV.Plain_Blocks;

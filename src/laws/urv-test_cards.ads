@@ -54,10 +54,11 @@ package URV.Test_Cards with Pure, SPARK_Mode is
      (Left_Aileron, Right_Aileron, Left_Elevator, Right_Elevator,
       Left_Rudder, Right_Rudder);
 
-   --  Where a card's inputs are added. At the sticks, the bits of the left
-   --  surfaces are the sticks of roll, pitch and yaw. At the laws' commands
-   --  these of aileron and elevator are bank and pitch, these of left and
-   --  right rudder altitude and airspeed. No other bit is permitted there.
+   --  A card adds its inputs to the servos, to the sticks, or to the laws'
+   --  commands. The bits of the surfaces then mean: for the sticks, the left
+   --  aileron is roll, the left elevator pitch, the left rudder yaw; for the
+   --  commands, the left aileron is bank, the left elevator pitch, the left
+   --  rudder altitude, the right rudder airspeed. No other bit is permitted.
    type Input_Place is (At_Servo, At_Stick, At_Command);
 
    Surface_Bits : constant Word := 2#11_1111#;

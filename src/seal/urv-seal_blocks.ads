@@ -26,7 +26,7 @@
 --  format 1 the high half of the first byte is 0, unless a converter gives
 --  more than 12 bits.
 
-with Interfaces;     use Interfaces;
+with Interfaces;       use Interfaces;
 with Telemetry;        use Telemetry;
 with URVOS;            use URVOS;
 with URV.Plain_Blocks; use URV.Plain_Blocks;

@@ -4,13 +4,13 @@
 --  each block; TELIN opens each one received. Pass, Open and Close assign the
 --  results of the functions here.
 
-with Telemetry;       use Telemetry;
-with URVOS;           use URVOS;
-with URV.Frame_Times; use URV.Frame_Times;
-with URV.Handshakes;  use URV.Handshakes;
+with Telemetry;        use Telemetry;
+with URVOS;            use URVOS;
+with URV.Frame_Times;  use URV.Frame_Times;
+with URV.Handshakes;   use URV.Handshakes;
 with URV.Plain_Blocks; use URV.Plain_Blocks;
-with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Sessions;    use URV.Sessions;
+with URV.Seal_Blocks;  use URV.Seal_Blocks;
+with URV.Sessions;     use URV.Sessions;
 
 package URV.Seals with Pure, SPARK_Mode is
 

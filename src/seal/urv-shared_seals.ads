@@ -2,12 +2,12 @@
 
 --  A node's seal, shared by TELIN, TELOUT and the node's start (SEC-1).
 
-with Telemetry;       use Telemetry;
-with URVOS.Frames;    use URVOS.Frames;
-with URV.Handshakes;  use URV.Handshakes;
+with Telemetry;        use Telemetry;
+with URVOS.Frames;     use URVOS.Frames;
+with URV.Handshakes;   use URV.Handshakes;
 with URV.Plain_Blocks; use URV.Plain_Blocks;
-with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Sessions;    use URV.Sessions;
+with URV.Seal_Blocks;  use URV.Seal_Blocks;
+with URV.Sessions;     use URV.Sessions;
 
 package URV.Shared_Seals with SPARK_Mode is
 

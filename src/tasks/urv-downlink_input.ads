@@ -11,8 +11,8 @@ with URV.Routing;
 with URV.TELIN_Steps;
 
 package URV.Downlink_Input is new URV.TELIN_Steps
-  (Message => Downlink_Buffer,
-   Neutral => Neutral_Downlink,
-   As_Old  => Routing.As_Old,
-   Is_Old  => Routing.Is_Old,
+  (Message    => Downlink_Buffer,
+   Neutral    => Neutral_Downlink,
+   As_Old     => Routing.As_Old,
+   Is_Old     => Routing.Is_Old,
    Message_Of => Codecs.Downlink.Buffer_Of);

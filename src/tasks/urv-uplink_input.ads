@@ -11,8 +11,8 @@ with URV.Routing;
 with URV.TELIN_Steps;
 
 package URV.Uplink_Input is new URV.TELIN_Steps
-  (Message => Uplink_Buffer,
-   Neutral => Neutral_Uplink,
-   As_Old  => Routing.As_Old,
-   Is_Old  => Routing.Is_Old,
+  (Message    => Uplink_Buffer,
+   Neutral    => Neutral_Uplink,
+   As_Old     => Routing.As_Old,
+   Is_Old     => Routing.Is_Old,
    Message_Of => Codecs.Uplink.Buffer_Of);

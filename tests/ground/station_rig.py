@@ -7,6 +7,7 @@
         page.take()
 """
 
+import contextlib
 import json
 import re
 import signal
@@ -213,6 +214,15 @@ class Console:
                 if condition(state):
                     return state
             assert time.monotonic() < ends, f"never came: {what}"
+
+    def listen(self):
+        """Reads all that comes, in a thread of its own, and so answers the
+        station's pings: it shuts a page that does not."""
+        def read():
+            with contextlib.suppress(Exception):
+                while self.socket.recv():
+                    pass
+        threading.Thread(target=read, daemon=True).start()
 
     def take(self):
         """Takes the sticks."""

@@ -80,6 +80,7 @@ def test_sec11_sixteen_idle_pages_do_not_keep_another_one_out(
     with Station(record, tmp_path) as station:
         holder = station.console()
         holder.take()
+        holder.listen()
         idle = [station.console() for _ in range(web.MOST_PAGES - 1)]
 
         def opened():

@@ -1,14 +1,14 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Checks;       use Checks;
-with Expectations; use Expectations;
+with Checks;         use Checks;
+with Expectations;   use Expectations;
 with Plain_Messages; use Plain_Messages;
-with URVOS;        use URVOS;
-with Telemetry;    use Telemetry;
-with URV.Buffers;  use URV.Buffers;
-with URV.Codecs;   use URV.Codecs;
+with URVOS;          use URVOS;
+with Telemetry;      use Telemetry;
+with URV.Buffers;    use URV.Buffers;
+with URV.Codecs;     use URV.Codecs;
 with URV.Plain_Blocks;
-with URV.Routing;  use URV.Routing;
+with URV.Routing;    use URV.Routing;
 with URV.Seal_Blocks;
 with URV.Spare_Bits; use URV.Spare_Bits;
 with URV.Word_Codecs;

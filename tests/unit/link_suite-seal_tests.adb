@@ -1,19 +1,19 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Interfaces;      use Interfaces;
+with Interfaces; use Interfaces;
 
-with Checks;          use Checks;
-with Expectations;    use Expectations;
+with Checks;           use Checks;
+with Expectations;     use Expectations;
 with Expect_Value;
-with Published_Tags;  use Published_Tags;
-with Telemetry;       use Telemetry;
-with URV.Seal_Blocks; use URV.Seal_Blocks;
-with URV.Handshakes;  use URV.Handshakes;
-with URV.Seals;       use URV.Seals;
+with Published_Tags;   use Published_Tags;
+with Telemetry;        use Telemetry;
+with URV.Seal_Blocks;  use URV.Seal_Blocks;
+with URV.Handshakes;   use URV.Handshakes;
+with URV.Seals;        use URV.Seals;
 with URV.Plain_Blocks; use URV.Plain_Blocks;
-with URV.Sessions;    use URV.Sessions;
-with URV.Sip_Hash;    use URV.Sip_Hash;
-with URVOS;           use URVOS;
+with URV.Sessions;     use URV.Sessions;
+with URV.Sip_Hash;     use URV.Sip_Hash;
+with URVOS;            use URVOS;
 
 separate (Link_Suite)
 package body Seal_Tests is
