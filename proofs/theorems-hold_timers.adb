@@ -32,6 +32,7 @@ package body Theorems.Hold_Timers with SPARK_Mode is
          pragma Loop_Invariant (Item = Before);
          for Tick in 1 .. Each loop
             pragma Loop_Invariant (Item.Words = Before.Words);
+            pragma Loop_Invariant (Item.Changed = Before.Changed);
             pragma Loop_Invariant (Gap (Item.Untouched) = Tick - 1);
             Item := Ticked (Item, Unattended_Area (Item.Words));
          end loop;

@@ -87,6 +87,9 @@ package body URV.Laws.Flying with SPARK_Mode is
       Aim     : Unlimited     := Level_Pitch;
       Ceiling : Pitch_Command := Highest_Pitch;
       Bounded : Pitch_Command := Level_Pitch;
+
+      --  The climb rate that the altitude demands.
+      Rate    : Climb         := 0;
    begin
       case This.Flown.Vertical is
          when Direct =>
@@ -109,10 +112,10 @@ package body URV.Laws.Flying with SPARK_Mode is
             end if;
             case This.Flown.Vertical is
                when Hold_Altitude =>
+                  Rate := Wanted_Climb
+                    (Moved_Height (This.Height_Held, Extra.Altitude), Now);
                   Aim := Unlimited_Pitch_Command
-                    (Wanted_Climb
-                       (Moved_Height (This.Height_Held, Extra.Altitude), Now),
-                     Rising, Now.Bank, This.Height_Trim);
+                    (Rate, Rising, Now.Bank, This.Height_Trim);
                when Glide =>
                   Aim :=
                     (if This.Checks (Airspeed).Is_Valid
@@ -143,10 +146,7 @@ package body URV.Laws.Flying with SPARK_Mode is
          Output := Saturation_Of (Wanted, -Pitch_Authority, Pitch_Authority);
          if This.Flown.Vertical = Hold_Altitude then
             This.Height_Trim := Next_Height_Trim
-              (This.Height_Trim,
-               Wanted_Climb
-                 (Moved_Height (This.Height_Held, Extra.Altitude), Now)
-                 - Rising,
+              (This.Height_Trim, Rate - Rising,
                Saturation_Of (Aim, Lowest_Pitch, Ceiling) or Output);
          end if;
          This.Pitch_Trim := Next_Pitch_Trim
@@ -165,6 +165,9 @@ package body URV.Laws.Flying with SPARK_Mode is
    is
       Target : Lever;
       Wanted : Unlimited;
+
+      --  The airspeed that is demanded.
+      Speed  : Level := 0;
    begin
       case This.Flown.Power is
          when Direct =>
@@ -179,8 +182,9 @@ package body URV.Laws.Flying with SPARK_Mode is
                This.Lever_Held := Input.Throttle;
                This.Power_Trim := This.Last.Throttle * 1_000;
             end if;
+            Speed := Demanded_Speed (This, Input.Throttle, Extra.Airspeed);
             Wanted := Unlimited_Throttle
-              (Demanded_Speed (This, Input.Throttle, Extra.Airspeed), Now,
+              (Speed, Now,
                (if This.Flown.Vertical = Hold_Altitude
                 then Wanted_Climb
                   (Moved_Height (This.Height_Held, Extra.Altitude), Now)
@@ -198,9 +202,7 @@ package body URV.Laws.Flying with SPARK_Mode is
 
       if This.Flown.Power = Hold_Airspeed then
          This.Power_Trim := Next_Power_Trim
-           (This.Power_Trim,
-            Demanded_Speed (This, Input.Throttle, Extra.Airspeed)
-              - Now.Airspeed,
+           (This.Power_Trim, Speed - Now.Airspeed,
             Saturation_Of (Wanted, 0, Lever'Last));
       end if;
    end Fly_Throttle;

@@ -706,19 +706,21 @@ package body Test_Cards_Tests is
             else Neutral_Value));
       By       : constant URV.Link_Loss.Times := Laws_Off.By;
 
-      --  The memory after two seconds with these inputs.
+      --  The memory after these frames, with these inputs after the first 100.
       function Flown
         (Sticks : Stick_Inputs := No_Sticks;
-         Extra  : Command_Inputs := No_Commands) return Memory;
+         Extra  : Command_Inputs := No_Commands;
+         Frames : Positive := 200) return Memory;
 
       function Flown
         (Sticks : Stick_Inputs := No_Sticks;
-         Extra  : Command_Inputs := No_Commands) return Memory
+         Extra  : Command_Inputs := No_Commands;
+         Frames : Positive := 200) return Memory
       is
          Item : Memory := At_Start;
          Seen : Observation;
       begin
-         for Frame in 1 .. 200 loop
+         for Frame in 1 .. Frames loop
             Observe (Item, Commands, Levels, By, Seen);
             Steer
               (Item, Commands, Seen,
@@ -752,6 +754,12 @@ package body Test_Cards_Tests is
       Expect
         ("airspeed command", Item.Last.Throttle > Calm.Last.Throttle, True);
       Expect_Number ("is kept", Item.Speed_Held, Calm.Speed_Held);
+
+      --  In the first frames before the integrators have moved.
+      Item := Flown (Extra => (Airspeed => 64, others => 0), Frames => 103);
+      Expect
+        ("throttle at once",
+         Item.Last.Throttle > Flown (Frames => 103).Last.Throttle + 20, True);
       Item := Flown (Sticks => (Yaw => 300, others => 0));
       Expect ("rudder", Item.Last.Yaw > Calm.Last.Yaw + 250, True);
    end In_The_Laws;
