@@ -760,6 +760,10 @@ package body Test_Cards_Tests is
       Expect
         ("throttle at once",
          Item.Last.Throttle > Flown (Frames => 103).Last.Throttle + 20, True);
+      Item := Flown (Extra => (Altitude => 80, others => 0), Frames => 103);
+      Expect
+        ("throttle for the climb",
+         Item.Last.Throttle > Flown (Frames => 103).Last.Throttle, True);
       Item := Flown (Sticks => (Yaw => 300, others => 0));
       Expect ("rudder", Item.Last.Yaw > Calm.Last.Yaw + 250, True);
    end In_The_Laws;
