@@ -10,8 +10,9 @@ tests in Ada, with and without their contracts executed; the tests in Python of
 the simulation, of the real-time partitions and of the ground station; likely
 changes, built, tested and flown in a copy; the links of the requirements, the
 static data of each node, the proof record; both nodes on bare machines.
-All is built first. The parts in real time then run one after another beside
-the others, which give way to them: they wait more than they work. Each test is
+All is built first. The live tests of the ground station then run beside the
+others, which give way to them: they wait more than they work. Those of the
+partitions run alone, for they measure times. Each test is
 a line, once; after 15 s without one, lines name what goes on. A part's other
 output comes at its end. A part that cannot be built or run counts as one failed
 test, and the other parts run all the same. Before the last line come the
@@ -345,8 +346,8 @@ PARTS = {
     "proof shows the recorded checks": proof,
 }
 
-# These wait more than they work.
-REAL_TIME = ("ground station, live", "real time")
+# These run beside the others.
+BESIDE = ("ground station, live",)
 
 QUICK_PARTS = {
     **{name: PARTS[name] for name in PARTS
@@ -393,12 +394,13 @@ def run_part(part, name):
 
 
 def run_parts(parts):
-    """The results of the parts, in their order. Those in real time run beside
-    the others but for the first, which builds, and the last, the proof. All is
-    built before, for a program must not change while it runs."""
+    """The results of the parts, in their order. The live tests of the ground
+    station run beside the others but for the first, which builds, the
+    partitions', which measure times, and the proof. All is built before, for a
+    program must not change while it runs."""
     names = list(parts)
-    live = [name for name in names if name in REAL_TIME]
-    others = [name for name in names if name not in REAL_TIME]
+    live = [name for name in names if name in BESIDE]
+    others = [name for name in names if name not in BESIDE]
     results = {}
 
     def run_all(some):
@@ -409,7 +411,8 @@ def run_parts(parts):
         run_all(names)
     else:
         before = [name for name in others if parts[name] is every_source]
-        after = [name for name in others if parts[name] is proof]
+        after = [name for name in others
+                 if parts[name] in (real_time_tests, proof)]
         run_all(before)
         modes = [mode for mode in ("test", "host")
                  if any(name.startswith("unit tests") for name in others)]

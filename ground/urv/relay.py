@@ -80,6 +80,7 @@ class Relay:
             gone.cancel()
             ready.cancel()
             writer.transport.abort()
+            await asyncio.gather(gone, ready, return_exceptions=True)
 
     @staticmethod
     async def _until_no_yamcs(reader: asyncio.StreamReader) -> None:

@@ -241,6 +241,7 @@ class Station:
             self.pages.pop(page.number, None)
             self.controls.gone(page.number)
             writer.cancel()
+            await asyncio.gather(writer, return_exceptions=True)
         return answer
 
     def _drop_a_quiet_page(self, now: float) -> bool:

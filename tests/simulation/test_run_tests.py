@@ -71,7 +71,7 @@ def test_what_is_slow_and_what_failed_is_named_at_the_end(
     assert "only: 19 passed, 1 failed, 0 skipped, in 0 s" in lines
 
 
-def test_parts_in_real_time_run_beside_others_and_the_proof_last(
+def test_live_parts_run_beside_others_and_the_proof_last(
         place, monkeypatch, capsys):
     """Each waits until the part beside it has begun."""
     begun = {name: threading.Event() for name in ("live", "busy")}
@@ -87,7 +87,7 @@ def test_parts_in_real_time_run_beside_others_and_the_proof_last(
         return run_it
 
     first, last = part("first"), part("last")
-    monkeypatch.setattr(run_tests, "REAL_TIME", ("live",))
+    monkeypatch.setattr(run_tests, "BESIDE", ("live",))
     monkeypatch.setattr(run_tests, "every_source", first)
     monkeypatch.setattr(run_tests, "proof", last)
     monkeypatch.setattr(run_tests, "PARTS", {
