@@ -10,6 +10,7 @@ with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Codecs;        use URV.Codecs;
 with URV.CORE_Layout;   use URV.CORE_Layout;
+with URV.CORE_Memory;   use URV.CORE_Memory;
 with URV.Plain_Blocks;  use URV.Plain_Blocks;
 with URV.PWM_Layout;    use URV.PWM_Layout;
 with URV.PWM_Transform; use URV.PWM_Transform;
@@ -101,5 +102,22 @@ package Theorems.Data_Path with Pure, SPARK_Mode, Ghost is
             (for all Item in Frame_Item =>
                Received_Downlink (Image, Frame).Frame (Item) =
                  Frame (Item)));
+
+   --  After a start of any kind no word in CORE counts as fresh until a
+   --  message arrives. A warm start keeps every word (INI-6, SAF-5).
+   procedure A_Start_Leaves_Nothing_Fresh (CORE : Memory)
+   with
+     Global => null,
+     Post   =>
+       Is_Old (Cleared.Uplink)
+       and then Is_Old (Cleared.Downlink)
+       and then Is_Old (Marked_Old (CORE).Uplink)
+       and then Is_Old (Marked_Old (CORE).Downlink)
+       and then
+         (for all Item in Command_Item =>
+            Marked_Old (CORE).Uplink (Item) = CORE.Uplink (Item))
+       and then
+         (for all Item in Sensor_Item =>
+            Marked_Old (CORE).Downlink (Item) = CORE.Downlink (Item));
 
 end Theorems.Data_Path;

@@ -18,7 +18,6 @@ with URV.Laws;          use URV.Laws;
 with URV.Laws.Frames;   use URV.Laws.Frames;
 with URV.Link_Loss;     use URV.Link_Loss;
 with URV.PWM_Transform; use URV.PWM_Transform;
-with URV.Routing;       use URV.Routing;
 with URV.Sensor_Checks; use URV.Sensor_Checks;
 with URVOS;             use URVOS;
 

@@ -11,7 +11,6 @@ with URVOS;             use URVOS;
 with URV.Buffers;       use URV.Buffers;
 with URV.Handshakes;    use URV.Handshakes;
 with URV.PWM_Transform; use URV.PWM_Transform;
-with URV.Routing;       use URV.Routing;
 with URV.Type_Codes;    use URV.Type_Codes;
 with URV.Uplink_Input;  use URV.Uplink_Input;
 

@@ -14,7 +14,6 @@ with URV.Buffers;         use URV.Buffers;
 with URV.Engine_Monitor;
 with URV.Law_Units;       use URV.Law_Units;
 with URV.PWM_Transform;   use URV.PWM_Transform;
-with URV.Routing;         use URV.Routing;
 with URV.Servo_Models;    use URV.Servo_Models;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;

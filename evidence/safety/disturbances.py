@@ -104,6 +104,7 @@ class Disturbances:
     dead[node]     certainly none runs: it is halted, or has failed its test
     silent[node]   and until CORE has words of a scan again
     starts[node]   the same without the start at power up
+    cold[node]     the node may begin again as at power up
     any            all of these
     """
 
@@ -140,7 +141,11 @@ class Disturbances:
         self.consoles = Spans(consoles)
         self.scans = {node: Spans(scans[node]) for node in NODES}
         self.down, self.silent, self.starts, self.dead = {}, {}, {}, {}
+        self.cold = {}
         for node in NODES:
+            self.cold[node] = Spans(
+                (at, at + START_US) for at, kind, first in events[node]
+                if kind == "reset" and first == "cold")
             down, dead = self._down(
                 node, sorted(events[node], key=lambda event: event[0]))
             again = FRAME_US + CORE_US

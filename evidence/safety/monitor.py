@@ -811,8 +811,10 @@ class Flight(Checker):
             if found is not None and found >= floor:
                 floor = found
                 continue
-            if (words == SAFE_ROW
-                    and self.has_safe_words(first, time)):
+            if words == SAFE_ROW and (
+                    self.has_safe_words(first, time)
+                    or self.faults.cold["mcs"].touch(
+                        time - 2 * FRAME_US, time)):
                 floor = max(floor, first)
                 continue
             if any(near in wrong

@@ -14,7 +14,6 @@ with URV.Law_Gains;       use URV.Law_Gains;
 with URV.Law_Units;       use URV.Law_Units;
 with URV.Laws;            use URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
-with URV.Routing;         use URV.Routing;
 with URV.Sensor_Checks;   use URV.Sensor_Checks;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;

@@ -13,7 +13,6 @@ with URV.Laws;         use URV.Laws;
 with URV.MDCIN_Steps;
 with URV.PWM_Steps;
 with URV.Plain_Blocks; use URV.Plain_Blocks;
-with URV.Routing;      use URV.Routing;
 with URV.Type_Codes;   use URV.Type_Codes;
 with URV.Uplink_Input; use URV.Uplink_Input;
 with URVOS;            use URVOS;

@@ -12,6 +12,15 @@ with URV.Buffers; use URV.Buffers;
 
 package URV.CORE_Memory with Pure, SPARK_Mode is
 
+   --  The words before the first message of a frame. No data has come, so that
+   --  they are marked as old (INI-6, SAF-5).
+
+   No_Uplink : constant Uplink_Buffer :=
+     (Error_Status => Stale_Data, others => 0);
+
+   No_Downlink : constant Downlink_Buffer :=
+     (Error_Status => Stale_Data, others => 0);
+
    --  The type codes of an area's words.
 
    type Uplink_Code_List is array (Uplink_Item) of Word;
@@ -70,9 +79,9 @@ package URV.CORE_Memory with Pure, SPARK_Mode is
 
    type Memory is record
       Uplink_Codes   : Uplink_Code_List   := (others => 0);
-      Uplink         : Uplink_Buffer      := (others => 0);
+      Uplink         : Uplink_Buffer      := No_Uplink;
       Downlink_Codes : Downlink_Code_List := (others => 0);
-      Downlink       : Downlink_Buffer    := (others => 0);
+      Downlink       : Downlink_Buffer    := No_Downlink;
 
       --  The frame of these words. Its place identifies a word.
       Frame          : Frame_Words        := Unknown_Frame;
@@ -104,12 +113,8 @@ package URV.CORE_Memory with Pure, SPARK_Mode is
    --  error/status words (SAF-5).
    function Marked_Old (Item : Memory) return Memory is
      ((Item with delta
-         Uplink   =>
-           (Item.Uplink with delta
-              Error_Status => Item.Uplink (Error_Status) or Stale_Data),
-         Downlink =>
-           (Item.Downlink with delta
-              Error_Status => Item.Downlink (Error_Status) or Stale_Data)))
+         Uplink   => As_Old (Item.Uplink),
+         Downlink => As_Old (Item.Downlink)))
    with Global => null;
 
    --  A count of one word after one more event.

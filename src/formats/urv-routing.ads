@@ -104,44 +104,6 @@ package URV.Routing with Pure, SPARK_Mode is
         else Codes (Channel (First_Unknown_Sensor'Result - 1))
                not in Sensor_Code | No_Code);
 
-   --  A buffer with the node's own bits in its error/status word (TST-4).
-
-   function Marked
-     (Source : Uplink_Buffer;
-      Status : Word) return Uplink_Buffer
-   is
-     (for Item in Uplink_Item =>
-        (if Item = Error_Status then Source (Item) or Status
-         else Source (Item)))
-   with Global => null;
-
-   function Marked
-     (Source : Downlink_Buffer;
-      Status : Word) return Downlink_Buffer
-   is
-     (for Item in Downlink_Item =>
-        (if Item = Error_Status then Source (Item) or Status
-         else Source (Item)))
-   with Global => null;
-
-   --  A buffer marked as of an earlier frame; whether one is so marked (SAF-5)
-
-   function As_Old (Source : Uplink_Buffer) return Uplink_Buffer is
-     (Marked (Source, Stale_Data))
-   with Global => null;
-
-   function As_Old (Source : Downlink_Buffer) return Downlink_Buffer is
-     (Marked (Source, Stale_Data))
-   with Global => null;
-
-   function Is_Old (Source : Uplink_Buffer) return Boolean is
-     ((Source (Error_Status) and Stale_Data) /= 0)
-   with Global => null;
-
-   function Is_Old (Source : Downlink_Buffer) return Boolean is
-     ((Source (Error_Status) and Stale_Data) /= 0)
-   with Global => null;
-
    --  The image of a scan, with the mark of an earlier frame unless Fresh
    --  (AD-1).
    function Stamped

@@ -15,7 +15,6 @@ with URV.Law_Gains;     use URV.Law_Gains;
 with URV.Law_Units;     use URV.Law_Units;
 with URV.Link_Loss;     use URV.Link_Loss;
 with URV.PWM_Transform; use URV.PWM_Transform;
-with URV.Routing;       use URV.Routing;
 with URV.Sensor_Checks; use URV.Sensor_Checks;
 
 package URV.Laws with Pure, SPARK_Mode is

@@ -12,7 +12,6 @@ with URV.Law_Gains;       use URV.Law_Gains;
 with URV.Recorder_Blocks; use URV.Recorder_Blocks;
 with URV.Recorder_Rings;  use URV.Recorder_Rings;
 with URV.Recorder_Rows;   use URV.Recorder_Rows;
-with URV.Routing;         use URV.Routing;
 
 package URV.Recorder_Steps with Pure, SPARK_Mode is
 

@@ -15,7 +15,6 @@ with URV.Buffers;      use URV.Buffers;
 with URV.Engine_Monitor; use type URV.Engine_Monitor.Monitor;
 with URV.Frame_Times;  use URV.Frame_Times;
 with URV.Law_Units;    use URV.Law_Units;
-with URV.Routing;      use URV.Routing;
 with URV.Servo_Models; use URV.Servo_Models;
 with URV.Surfaces;     use URV.Surfaces;
 

@@ -7,7 +7,6 @@ with URV.Card_Status;
 with URV.Errors;  use URV.Errors;
 with URV.LAW_Steps;
 with URV.PWM_Layout;
-with URV.Routing; use URV.Routing;
 with URV.Test_Inputs;
 
 package body MCS with SPARK_Mode is

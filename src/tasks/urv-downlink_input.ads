@@ -7,12 +7,11 @@ pragma SPARK_Mode;
 
 with URV.Buffers; use URV.Buffers;
 with URV.Codecs;
-with URV.Routing;
 with URV.TELIN_Steps;
 
 package URV.Downlink_Input is new URV.TELIN_Steps
   (Message    => Downlink_Buffer,
    Neutral    => Neutral_Downlink,
-   As_Old     => Routing.As_Old,
-   Is_Old     => Routing.Is_Old,
+   As_Old     => Buffers.As_Old,
+   Is_Old     => Buffers.Is_Old,
    Message_Of => Codecs.Downlink.Buffer_Of);

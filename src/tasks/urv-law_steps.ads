@@ -18,7 +18,6 @@ with URV.Configurations;  use URV.Configurations;
 with URV.Law_Inputs;      use URV.Law_Inputs;
 with URV.Laws;            use URV.Laws;
 with URV.Link_Loss;       use URV.Link_Loss;
-with URV.Routing;         use URV.Routing;
 with URV.Sensor_Checks;   use URV.Sensor_Checks;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
 with URV.Surfaces;        use URV.Surfaces;

@@ -10,7 +10,6 @@ with Devices.PWM_Board; use Devices.PWM_Board;
 with URV.Allocation;    use URV.Allocation;
 with URV.Buffers;       use URV.Buffers;
 with URV.PWM_Layout;
-with URV.Routing;
 with URV.Test_Inputs;   use URV.Test_Inputs;
 
 package URV.PWM_Steps with Pure, SPARK_Mode is
@@ -18,7 +17,7 @@ package URV.PWM_Steps with Pure, SPARK_Mode is
    --  Commands that are marked as old move nothing.
    function Is_Written (Item : Uplink_Buffer; Fresh : Boolean) return Boolean
    is
-     (Fresh and then not Routing.Is_Old (Item))
+     (Fresh and then not Buffers.Is_Old (Item))
    with Global => null;
 
    --  The board's words for the commands, with the test inputs.

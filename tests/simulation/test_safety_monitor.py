@@ -240,6 +240,19 @@ def test_d7_a_wrong_block_is_named_where_the_line_was_faulty(flown):
         assert findings.wrong_blocks == []
 
 
+def test_ini6_a_cold_start_leaves_no_fresh_word(flown):
+    """CORE is cleared and marked as old, the servos hold the safe words."""
+    faults = "".join(f"{at} mcs reset cold\n" for at in range(300, 1300, 107))
+    findings = flown(None, faults)
+    assert findings.violations == []
+    assert findings.wrong_blocks == []
+
+    def alter(cells):
+        cells.put(300, 340, "mcs.uplink.error", 0)
+
+    assert flown(alter, faults).wrong_blocks != []
+
+
 def test_a_flight_with_every_kind_of_fault_has_no_violation(flown):
     findings = flown(None, """
         200 gsc stall adc 50

@@ -188,11 +188,15 @@ package body Nodes_Tests is
       for Ground in Boolean loop
          After := (if Ground then CORE_Of_GSC else CORE_Of_MCS);
          for Item in Uplink_Item loop
-            Expect ("CORE uplink " & Item'Image, After.Uplink (Item), 0);
+            Expect
+              ("CORE uplink " & Item'Image, After.Uplink (Item),
+               No_Uplink (Item));
             Expect ("CORE code " & Item'Image, After.Uplink_Codes (Item), 0);
          end loop;
          for Item in Downlink_Item loop
-            Expect ("CORE downlink " & Item'Image, After.Downlink (Item), 0);
+            Expect
+              ("CORE downlink " & Item'Image, After.Downlink (Item),
+               No_Downlink (Item));
             Expect ("CORE code " & Item'Image, After.Downlink_Codes (Item), 0);
          end loop;
       end loop;

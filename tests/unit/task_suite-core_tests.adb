@@ -159,11 +159,16 @@ package body CORE_Tests is
 
    procedure Cold_Memory is
    begin
-      for Value of Cleared.Uplink loop
-         Expect ("uplink", Value, 0);
+      --  SAF-5: no data has come.
+      for Item in Uplink_Item loop
+         Expect
+           ("uplink", Cleared.Uplink (Item),
+            (if Item = Error_Status then Stale_Data else 0));
       end loop;
-      for Value of Cleared.Downlink loop
-         Expect ("downlink", Value, 0);
+      for Item in Downlink_Item loop
+         Expect
+           ("downlink", Cleared.Downlink (Item),
+            (if Item = Error_Status then Stale_Data else 0));
       end loop;
       for Value of Cleared.Status loop
          Expect ("status", Value, 0);
