@@ -7,6 +7,15 @@ package body Link_Rig is
    function Peer (Of_Station : Station) return Station is
      (if Of_Station = Ground then Aircraft else Ground);
 
+   --  State of the random errors, and the number of characters that pass
+   --  unchanged before the next one.
+   type Random_State is mod 2 ** 32;
+   Drops : Random_State := 1;
+   Dry   : Natural      := 0;
+
+   --  The distance of the tried cases.
+   Spacing : constant Positive := (if Contracts_Are_Executed then 7 else 1);
+
    --  Every byte differs from its neighbours.
    function Block (Mark : Byte) return Block_Data;
 
@@ -176,5 +185,53 @@ package body Link_Rig is
          This.Came_Out (From) := Mark;
       end if;
    end Take;
+
+   procedure Fly
+     (This   : in out Link;
+      Frames : Positive;
+      First  : Byte;
+      Phase  : Natural;
+      Fault  : Fault_Procedure := null)
+   is
+      Unused : Byte;
+   begin
+      for Number in 0 .. Frames - 1 loop
+         Give (This, Ground, First + Byte (Number));
+         Run (This, Phase, Fault);
+         Give (This, Aircraft, First + Byte (Number));
+         Take (This, Aircraft, Unused);
+         Run (This, Frame - Phase, Fault);
+         Take (This, Ground, Unused);
+      end loop;
+   end Fly;
+
+   procedure Start_Rain is
+   begin
+      Drops := 1;
+      Dry   := 0;
+   end Start_Rain;
+
+   procedure Rain
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte)
+   is
+      pragma Unreferenced (Sender, Number);
+   begin
+      What := Whole;
+      Mask := 0;
+      if Dry > 0 then
+         Dry := Dry - 1;
+      else
+         Drops := 1_664_525 * Drops + 1_013_904_223;
+         Dry   := 60 + Natural (Drops / 2 ** 24);
+         Mask  := 2 ** Natural (Drops / 2 ** 8 mod 8);
+         What  := Arrival'Val (1 + Drops / 2 ** 16 mod 4);
+      end if;
+   end Rain;
+
+   function Is_Tried (Case_Number : Natural) return Boolean is
+     (Case_Number mod Spacing = 0);
 
 end Link_Rig;

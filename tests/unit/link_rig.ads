@@ -20,7 +20,6 @@ package Link_Rig is
 
    --  Decides the arrival of a sender's Number-th character, counted from 1.
    --  Mask gives the bits to change.
-   --  1. The bits to change are in Mask.
    type Fault_Procedure is access procedure
      (Sender : Station;
       Number : Positive;
@@ -111,5 +110,28 @@ package Link_Rig is
    --  is none. The test fails if the block was never given, or is older than
    --  the one before.
    procedure Take (This : in out Link; At_Station : Station; Mark : out Byte);
+
+   --  Flies frames in which both controllers give a block, the aircraft's
+   --  Phase character times later, and take the received one at the frame's
+   --  end. Marks begin with First.
+   procedure Fly
+     (This   : in out Link;
+      Frames : Positive;
+      First  : Byte;
+      Phase  : Natural;
+      Fault  : Fault_Procedure := null);
+
+   --  Spoils a character about every third message; a single byte of checksum
+   --  is meant for such errors. After Start_Rain the errors are the same.
+   procedure Start_Rain;
+   procedure Rain
+     (Sender : Station;
+      Number : Positive;
+      What   : out Arrival;
+      Mask   : out Byte);
+
+   --  True for the cases that a test tries: all, but only each seventh where
+   --  contracts are executed, for they take a hundred times as long.
+   function Is_Tried (Case_Number : Natural) return Boolean;
 
 end Link_Rig;

@@ -60,16 +60,6 @@ package body Link_Tests is
       At_Station : Station;
       Expected   : Byte);
 
-   --  Flies frames in which both stations give a block, the aircraft's Phase
-   --  character times later, and take the received one at the frame's end.
-   --  Marks begin with First.
-   procedure Fly
-     (Item   : in out Link;
-      Frames : Positive;
-      First  : Byte;
-      Phase  : Natural;
-      Fault  : Fault_Procedure := null);
-
    --  After two frames to recover, three frames must deliver each block, once,
    --  without a reset.
    procedure Expect_Recovered (What : String; Item : in out Link);
@@ -95,21 +85,6 @@ package body Link_Tests is
       What   : out Arrival;
       Mask   : out Byte);
 
-   --  Spoils about every third message, in one character; a single byte of
-   --  checksum is meant for such errors.
-   procedure Rain
-     (Sender : Station;
-      Number : Positive;
-      What   : out Arrival;
-      Mask   : out Byte);
-
-   --  State of the random numbers of Rain.
-   type Random_State is mod 2 ** 32;
-   Drops : Random_State := 1;
-
-   --  The number of characters that pass unchanged before the next drop.
-   Dry : Natural := 0;
-
    procedure Expect_Turns (Item : Link; Expected : Turns) is
    begin
       for I in Expected'Range loop
@@ -133,25 +108,6 @@ package body Link_Tests is
       Take (Item, At_Station, Mark);
       Expect ("block at the " & At_Station'Image, Mark, Expected);
    end Expect_Block;
-
-   procedure Fly
-     (Item   : in out Link;
-      Frames : Positive;
-      First  : Byte;
-      Phase  : Natural;
-      Fault  : Fault_Procedure := null)
-   is
-      Mark : Byte;
-   begin
-      for Number in 0 .. Frames - 1 loop
-         Give (Item, Ground, First + Byte (Number));
-         Run (Item, Phase, Fault);
-         Give (Item, Aircraft, First + Byte (Number));
-         Take (Item, Aircraft, Mark);
-         Run (Item, Frame - Phase, Fault);
-         Take (Item, Ground, Mark);
-      end loop;
-   end Fly;
 
    procedure Spoil
      (Sender : Station;
@@ -177,26 +133,6 @@ package body Link_Tests is
       What := Lost;
       Mask := 0;
    end Cut;
-
-   procedure Rain
-     (Sender : Station;
-      Number : Positive;
-      What   : out Arrival;
-      Mask   : out Byte)
-   is
-      pragma Unreferenced (Sender, Number);
-   begin
-      What := Whole;
-      Mask := 0;
-      if Dry > 0 then
-         Dry := Dry - 1;
-      else
-         Drops := 1_664_525 * Drops + 1_013_904_223;
-         Dry   := 60 + Natural (Drops / 2 ** 24);
-         Mask  := 2 ** Natural (Drops / 2 ** 8 mod 8);
-         What  := Arrival'Val (1 + Drops / 2 ** 16 mod 3);
-      end if;
-   end Rain;
 
    procedure Expect_Recovered (What : String; Item : in out Link) is
       Up, Down : Count;
@@ -726,7 +662,9 @@ package body Link_Tests is
            1 .. (if Sender = Ground then Up_Data + 2 else Down_Data + 1)
          loop
             for How in Changed .. Doubled loop
-               for Mask of Masks loop
+               for Mask of Masks
+                 when Is_Tried (Number + Arrival'Pos (How) + Natural (Mask))
+               loop
                   declare
                      Item : Link;
                   begin
@@ -809,7 +747,7 @@ package body Link_Tests is
    begin
       --  The line is cut at any time of a frame, for a short or a long time.
       for Start in 0 .. Frame - 1 loop
-         for Length of Lengths loop
+         for Length of Lengths when Is_Tried (Start + Length) loop
             declare
                Item : Link;
             begin
@@ -827,8 +765,8 @@ package body Link_Tests is
 
    procedure Storm is
    begin
-      Drops := 1;
-      for Flight in 1 .. 100 loop
+      Start_Rain;
+      for Flight in 1 .. 100 when Is_Tried (Flight) loop
          declare
             Item : Link;
          begin

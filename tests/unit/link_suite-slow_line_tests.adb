@@ -22,71 +22,13 @@ package body Slow_Line_Tests is
    --  The slowest line for which the nodes' frame has room.
    Slowest : constant Line_Time := Line_Time (Longest_Round_Trip / 2);
 
-   --  Flies frames in which both controllers give a block, the aircraft's
-   --  Phase character times later, and take the received one at the frame's
-   --  end.
-   procedure Fly
-     (Item   : in out Link;
-      Frames : Positive;
-      First  : Byte;
-      Phase  : Natural;
-      Fault  : Fault_Procedure := null);
-
-   --  About one character in a hundred is lost, wrong or doubled.
-   procedure Rain
-     (Sender : Station;
-      Number : Positive;
-      What   : out Arrival;
-      Mask   : out Byte);
-
-   type Random_State is mod 2 ** 32;
-   Drops : Random_State := 1;
-   Dry   : Natural := 0;
-
-   procedure Fly
-     (Item   : in out Link;
-      Frames : Positive;
-      First  : Byte;
-      Phase  : Natural;
-      Fault  : Fault_Procedure := null)
-   is
-      Mark : Byte;
-   begin
-      for Number in 0 .. Frames - 1 loop
-         Give (Item, Ground, First + Byte (Number));
-         Run (Item, Phase, Fault);
-         Give (Item, Aircraft, First + Byte (Number));
-         Take (Item, Aircraft, Mark);
-         Run (Item, Frame - Phase, Fault);
-         Take (Item, Ground, Mark);
-      end loop;
-   end Fly;
-
-   procedure Rain
-     (Sender : Station;
-      Number : Positive;
-      What   : out Arrival;
-      Mask   : out Byte)
-   is
-      pragma Unreferenced (Sender, Number);
-   begin
-      What := Whole;
-      Mask := 0;
-      if Dry > 0 then
-         Dry := Dry - 1;
-      else
-         Drops := 1_664_525 * Drops + 1_013_904_223;
-         Dry   := 60 + Natural (Drops / 2 ** 24);
-         Mask  := 2 ** Natural (Drops / 2 ** 8 mod 8);
-         What  := Arrival'Val (1 + Drops / 2 ** 16 mod 4);
-      end if;
-   end Rain;
-
    procedure Every_Delay is
       Frames : constant := 8;
    begin
       for One_Way in 0 .. Slowest loop
-         for Phase in 0 .. Frame - 1 loop
+         for Phase in 0 .. Frame - 1
+           when Is_Tried (Phase + Natural (One_Way))
+         loop
             declare
                What : constant String :=
                  One_Way'Image & " characters, phase" & Phase'Image;
@@ -167,9 +109,11 @@ package body Slow_Line_Tests is
    begin
       --  After a storm the boards recover within two frames. Three frames then
       --  deliver each uplink, once.
-      Drops := 1;
+      Start_Rain;
       for One_Way in 0 .. Slowest loop
-         for Flight in 1 .. Flights loop
+         for Flight in 1 .. Flights
+           when Is_Tried (Flights * Natural (One_Way) + Flight)
+         loop
             declare
                What : constant String :=
                  One_Way'Image & " characters, storm" & Flight'Image;
