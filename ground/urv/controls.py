@@ -2,8 +2,8 @@
 """Between the pages and the ground's node: sticks, hand-overs, orders, marks.
 
 GND-21 and GND-58: the flying party; GND-22: lost consoles; GND-29: the
-simulated pilot; GND-35: orders; FTI-8: test cards; GND-51: old input;
-GND-52: gamepads.
+simulated pilot; GND-35: orders; FTI-8: test cards; FTI-13: the flight recorder;
+GND-51: old input; GND-52: gamepads.
 """
 
 from __future__ import annotations
@@ -13,11 +13,13 @@ import secrets
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from urv import items, packets
 from urv.alerts import CLEAR_S
 from urv.answers import first_sequence
+from urv.fetcher import Fetcher
 from urv.orders import Orders, Setting
 from urv.sticks import OLD_S, Sticks
 from urv.tables import TABLES
@@ -41,7 +43,7 @@ NOT_FLYING = (*(name for name, _ in LOST.values()), SILENT, CLOSED)
 REPORTED_S = 0.4
 """A holder that is silent for this time is reported: within 0.5 s."""
 
-INPUT = ("sticks", "take", "answer", "pilot", "order", "cards")
+INPUT = ("sticks", "take", "answer", "pilot", "order", "cards", "recorder")
 """Messages that must not be late. Others may be."""
 OLD, REPEATED = "OLD INPUT", "REPEATED INPUT"
 RELOAD, CLOCK, OTHER = "RELOAD PAGE", "PAGE CLOCK", "OTHER GAMEPAD"
@@ -73,8 +75,10 @@ class Controls:
     """
 
     def __init__(self, view: View, send: Callable[[bytes], None] | None,
-                 now: Callable[[], float] = time.monotonic) -> None:
+                 now: Callable[[], float] = time.monotonic,
+                 fetcher: Fetcher | None = None) -> None:
         self.view = view
+        self.fetcher = fetcher or Fetcher(None, Path())
         self.sticks = Sticks()
         self.orders = Orders()
         self.refused = 0
@@ -136,6 +140,8 @@ class Controls:
                 self.view.deck.order(
                     console, text, self.view.frame, self._sends_for(console),
                     now)
+            case {"t": "recorder", "what": what, "last": last}:
+                self._recorder(console, what, last)
             case {"t": "mark", "text": text}:
                 self.view.note(INFO, "mark", text or "mark")
             case {"t": "seen", "key": key}:
@@ -179,6 +185,10 @@ class Controls:
         self.view.look(now)
         self.orders.look(self.view.frame, now)
         self._send_card(now)
+        while self.fetcher.said:
+            level, text = self.fetcher.said.popleft()
+            self.view.note(level, "recorder", text if level == INFO
+                           else f"recorder: {text}")
         alerts = self.view.alerts
         if self.sticks.holder is None:
             for key in NOT_FLYING:
@@ -221,6 +231,7 @@ class Controls:
             "left": round(sticks.left(now), 1),
             "archive": self.archive,
             "order": self.orders.shown(self.view.laws),
+            "recorder": self.fetcher.shown(),
             "station": {"refused": self.refused, "bad": self.bad_messages,
                         "old": self.old, "repeated": self.repeats,
                         "sent": self.packets_sent}}
@@ -234,6 +245,17 @@ class Controls:
             self._send(packets.OrderPacket(
                 self._run, self._sequence, time.time_ns() // 1000, serial,
                 wanted.table, wanted.orbit, wanted.end).encode())
+
+    def _recorder(self, console: int, what: str, last: int | None) -> None:
+        """The holder of the sticks, or any page while nobody holds them."""
+        if self.sticks.holder not in (None, console):
+            return
+        if what == "ask":
+            self.fetcher.ask()
+        elif what == "fetch":
+            self.fetcher.fetch(last)
+        else:
+            self.fetcher.stop()
 
     def _sends_for(self, console: int) -> bool:
         return self._send is not None and self.sticks.holder == console

@@ -230,7 +230,8 @@ class Flight:
                    "--port", self.page_port,
                    "--frames", f"udp:{here}:{self.frames}",
                    "--console", f"udp:{here}:{self.console}",
-                   "--events", self.folder / "station.jsonl", "--reports"]
+                   "--events", self.folder / "station.jsonl", "--reports",
+                   "--recordings", self.folder]
         if yamcs:
             station += ["--relay", f"tcp:{here}:{self.relay}"]
         # The receiver of the frames is ready before the first one.

@@ -11,23 +11,6 @@ app = typer.Typer(help="Fetch the aircraft's flight recorder.")
 OUT = Annotated[Path, typer.Argument(
     metavar="FILE", help="The recording to write, FILE.recording.")]
 
-ROWS_AT_ONCE = 100
-"""Of a request: a lost one costs little."""
-
-SILENCE_S = 1.0
-"""Without a block for longer, the aircraft is asked again."""
-
-QUIET_REQUESTS = 15
-"""Requests without any block in answer, before the fetch is given up."""
-
-MOST_WRONG = 4
-"""A row that has come whole so often with wrong sums is wrong aboard."""
-
-GAP = 3
-"""Rows that are asked for once more, rather than with a request of their
-own."""
-
-
 @app.command()
 def fetch(
     file: OUT,
@@ -41,20 +24,21 @@ def fetch(
 
     Status 0: all rows have come. Status 1: some are missing; FILE has the
     others, and the missing ones are named."""
-    from urv import faults, recorder_blocks, recordings, whole_files
+    from urv import faults, recorder_fetch, recordings, whole_files
 
     check_name(file)
-    rows = recorder_blocks.Rows()
-    with Node(console) as node:
-        first, end, reason = fetched(node, rows, last)
+    with recorder_fetch.Node(console) as node:
+        made = recorder_fetch.Fetch(node, last)
+        made.run()
     with whole_files.replacing(file) as path:
-        recordings.write(path, rows.in_order())
-    missing = rows.missing(first, end)
-    print(f"{len(rows.rows)} of {end - first} rows fetched, {first} to"
-          f" {end - 1}")
+        recordings.write(path, made.rows.in_order())
+    missing = made.missing()
+    print(f"{len(made.rows.rows)} of {made.end - made.first} rows fetched,"
+          f" {made.first} to {made.end - 1}")
     if missing:
         raise faults.Failed(
-            f"{len(missing)} rows are missing ({named(missing)}): {reason}")
+            f"{len(missing)} rows are missing"
+            f" ({recorder_fetch.named(missing)}): {made.reason}")
 
 
 @app.command()
@@ -91,158 +75,3 @@ def check_name(file):
     if file.suffix != recordings.KIND:
         raise faults.Refused(f"{faults.quoted(file)}: a recording's name ends"
                              f" with {recordings.KIND}")
-
-
-def named(numbers):
-    """Numbers of rows as text."""
-    from urv import recorder_blocks
-
-    spans = [f"{first}" if many == 1 else f"{first} to {first + many - 1}"
-             for first, many in recorder_blocks.spans(numbers)]
-    return ", ".join(spans[:5]) + (", ..." if len(spans) > 5 else "")
-
-
-class Node:
-    """The ground's node: requests go to its console's port."""
-
-    def __init__(self, console):
-        from urv import station
-
-        self.console = console
-        self.address = station.address("--console", console)
-        self.sequence = 0
-
-    def __enter__(self):
-        import secrets
-        import socket
-
-        from urv import faults
-
-        self.run = secrets.randbits(32)
-        family = (socket.AF_INET6 if ":" in self.address[0]
-                  else socket.AF_INET)
-        self.socket = socket.socket(family, socket.SOCK_DGRAM)
-        try:
-            self.socket.connect(self.address)
-        except OSError as fault:
-            self.socket.close()
-            raise faults.Refused(
-                f"--console {self.console}: {fault}") from fault
-        return self
-
-    def __exit__(self, *_):
-        self.socket.close()
-
-    def ask(self, first, many):
-        """Sends a request."""
-        import time
-
-        from urv import faults, packets, recorder_blocks
-
-        self.sequence += 1
-        try:
-            self.socket.send(packets.RequestPacket(
-                self.run, self.sequence, time.time_ns() // 1000,
-                recorder_blocks.request(first, many)).encode())
-        except ConnectionRefusedError as fault:
-            raise faults.Failed(
-                f"--console {self.console}: nothing listens there"
-            ) from fault
-
-    def block(self):
-        """The next block, kind and words, or None after a silence."""
-        from urv import faults, packets
-
-        self.socket.settimeout(SILENCE_S)
-        while True:
-            try:
-                data = self.socket.recv(256)
-            except TimeoutError:
-                return None
-            except ConnectionRefusedError as fault:
-                raise faults.Failed(
-                    f"--console {self.console}: nothing listens there"
-                ) from fault
-            try:
-                return packets.decode_recorder(data)
-            except packets.PacketError:
-                continue
-
-
-def asked(node, rows, first, many):
-    """Asks for rows and takes what comes, until all have come or nothing
-    more does. The number of blocks."""
-    from urv import recorder_blocks
-
-    before, blocks = rows.reports, 0
-    node.ask(first, many)
-    while found := node.block():
-        rows.take(*found)
-        blocks += 1
-        if rows.reports > before and (
-                many == 0 or rows.report.answer != 0
-                or not rows.missing(first, first + many)):
-            break
-        if (found[0] == recorder_blocks.ROWS and many
-                and is_last(found[1], first + many - 1)):
-            break
-    return blocks
-
-
-def is_last(words, number):
-    """The block is the last one of that row."""
-    return (words[0] >> 10 == 3
-            and (words[0] & 0x3FF) << 12 | words[1] == number)
-
-
-def fetched(node, rows, last):
-    """The first row, the one after the last, and the reason for missing
-    ones."""
-    from urv import faults, recorder_blocks
-
-    for _ in range(QUIET_REQUESTS):
-        asked(node, rows, 0, 0)
-        if rows.report:
-            break
-    else:
-        raise faults.Failed(
-            "no answer: the link is lost, or the aircraft has no recorder")
-    report = rows.report
-    if report.answer == 1:
-        raise faults.Failed(f"refused: {recorder_blocks.ANSWERS[1]}")
-    end = report.first + report.held
-    first = report.first
-    if last is not None:
-        first = max(first, end - max(1, round(last / 0.02)))
-    return first, end, complete(node, rows, first, end)
-
-
-def complete(node, rows, first, end):
-    """Asks until no row is missing; the reason, if one still is."""
-    from urv import recorder_blocks
-
-    quiet = 0
-    while wanted := [number for number in rows.missing(first, end)
-                     if rows.wrong.get(number, 0) < MOST_WRONG]:
-        begin, many = joined(recorder_blocks.spans(wanted))
-        came = asked(node, rows, begin, min(many, ROWS_AT_ONCE))
-        if rows.report.answer == 1:
-            return recorder_blocks.ANSWERS[1]
-        if rows.report.first > begin:
-            return "the aircraft does not hold them any more"
-        if rows.report.first + rows.report.held < end:
-            return "the aircraft had a cold start"
-        quiet = 0 if came else quiet + 1
-        if quiet == QUIET_REQUESTS:
-            return "the aircraft does not answer any more"
-    return "their sums are wrong aboard"
-
-
-def joined(spans):
-    """The first span with those that follow closely."""
-    begin, many = spans[0]
-    for first, more in spans[1:]:
-        if first - begin - many > GAP:
-            break
-        many = first + more - begin
-    return begin, many

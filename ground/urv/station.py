@@ -59,6 +59,10 @@ def station(
     events: Path | None = typer.Option(
         None, metavar="FILE",
         help="Marks, alerts, errors and hand-overs as JSON lines."),
+    recordings: Path = typer.Option(
+        Path("."), metavar="FOLDER",
+        help="Folder for the rows of the aircraft's flight recorder that a"
+        " page fetches, flight-DATE-TIME.recording."),
     yamcs: str | None = typer.Option(
         None, envvar="URV_YAMCS", show_envvar=True, metavar="URL",
         help="A Yamcs that receives the same as events."),
@@ -70,6 +74,7 @@ def station(
 ):
     """Serve the page, for flying and watching."""
     from urv import web
+    from urv.fetcher import Fetcher
 
     if not web.is_loopback(listen) and token is None:
         token = secrets.token_urlsafe(16)
@@ -87,7 +92,8 @@ def station(
         listen, port, token, address("--frames", frames),
         None if console == "none" else address("--console", console),
         None if relay is None else address("--relay", relay, "tcp"),
-        events, yamcs, seconds, reports, sender)))
+        events, yamcs, seconds, reports, sender,
+        None if console == "none" else Fetcher(console, recordings))))
 
 
 async def until_ended(work):
@@ -167,7 +173,7 @@ def bound(kind: int, host: str, port: int, what: str) -> socket.socket:
 
 
 async def serve(listen, port, token, frames, console, relay, events, yamcs,
-                seconds, reports=False, only=None):
+                seconds, reports=False, only=None, fetcher=None):
     """Runs the station until it is ended."""
     from aiohttp import web as http
 
@@ -221,7 +227,8 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
             # The frames show that no packet arrives.
             pass
 
-    controls = Controls(view, None if sender is None else send)
+    controls = Controls(view, None if sender is None else send,
+                        fetcher=fetcher)
     page = web.Station(controls, token)
     options = {"access_log": None, "logger": web.LOG,
                "keepalive_timeout": 5.0, "lingering_time": 1.0}
@@ -306,6 +313,7 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
         await runner.cleanup()
         # A frame that arrives now has no receiver.
         incoming.close()
+        controls.fetcher.close()
         if kept is not None:
             kept.close()
             look_at_events()

@@ -39,6 +39,8 @@ LONGEST_MESSAGE = 4096
 LONGEST_MARK = 200
 LONGEST_CARDS = 3_500
 """A file of test cards, without comments."""
+LONGEST_FETCH_S = 100_000
+"""More seconds than a recorder holds."""
 MESSAGES_A_SECOND = 150.0
 MOST_BAD_MESSAGES = 20
 LARGEST_SEQUENCE = 2**53
@@ -402,6 +404,10 @@ def meaning(said: dict[str, Any]) -> dict[str, Any] | None:
         case {"t": "cards", "text": str(text)} if (
                 len(text) <= LONGEST_CARDS):
             return {"t": "cards", "text": text}
+        case {"t": "recorder", "what": "ask" | "fetch" | "stop" as what,
+              "last": last} if last is None or (
+                  type(last) is int and 1 <= last <= LONGEST_FETCH_S):
+            return {"t": "recorder", "what": what, "last": last}
         case {"t": "answer", "yes": bool(yes)}:
             return {"t": "answer", "yes": yes}
         case {"t": "mark", "text": str(note)} if len(note) <= LONGEST_MARK:

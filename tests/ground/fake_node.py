@@ -10,7 +10,9 @@ As a program it replays one until it is ended:
 """
 
 import csv
+import random
 import socket
+import struct
 import sys
 import threading
 import time
@@ -19,7 +21,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "ground"))
 
-from urv import packets  # noqa: E402 - found by the line above
+from urv import packets, recordings  # noqa: E402 - found by the line above
 
 START = 10
 HELD_S, NEUTRAL_S = 0.5, 2.0
@@ -44,6 +46,70 @@ def laws_row(*words):
         words[0:6:2], words[1:6:2], strict=True)), words[6])
 
 
+def recording_of(rows, seed=1):
+    """Rows of a recorder, by number."""
+    chance = random.Random(seed)
+    found = {}
+    for number in rows:
+        words = [number >> 16, number & 0xFFFF,
+                 *(chance.randrange(65536) for _ in range(68))]
+        found[number] = (*words, *recordings.sums(words))
+    return found
+
+
+def is_request(data):
+    return int.from_bytes(data[24:26]) == packets.RequestPacket.KIND
+
+
+def blocks_of(row):
+    """The four blocks of a row, made independently of the aircraft's code."""
+    number = row[0] << 16 | row[1]
+    for part in range(4):
+        bits = "".join(f"{word:016b}" for word in row[18 * part:18 * part + 18])
+        yield with_sum([
+            part << 10 | number >> 12, number & 0xFFF,
+            *(int(bits[at:at + 12], 2) for at in range(0, 288, 12))])
+
+
+def with_sum(words):
+    words = [*words, *[0] * (26 - len(words))]
+    return [*words, sum((2 * place + 1) * word
+                        for place, word in enumerate(words)) % 4096]
+
+
+class Recorder:
+    """The aircraft's flight recorder, over the link: rows by number; flies
+    refuses, silent answers nothing, a_frame blocks go down in each frame."""
+
+    def __init__(self):
+        self.rows = {}
+        self.flies = self.silent = False
+        self.a_frame = 100
+        self._waiting = deque()
+        self._to = None
+
+    def ask(self, data, sender):
+        high, low, many = packets.RequestPacket.decode(data).words[:3]
+        first = max(high << 12 | low, min(self.rows, default=0))
+        numbers = (min(self.rows, default=0), len(self.rows), 30_000)
+        self._to = sender
+        self._waiting = deque([(0x800, with_sum([
+            int(self.flies), *(part for number in numbers
+                               for part in (number >> 12, number & 0xFFF))]))])
+        for number in range(first, first + many):
+            if number in self.rows and not self.flies:
+                self._waiting.extend((0x700, block) for block
+                                     in blocks_of(self.rows[number]))
+
+    def answer(self, socket):
+        for _ in range(self.a_frame):
+            if self._waiting and not self.silent:
+                kind, words = self._waiting.popleft()
+                socket.sendto(struct.pack(
+                    ">IHHH27H", int.from_bytes(b"URVR"), 1, 64, kind, *words),
+                    self._to)
+
+
 class FakeNode(threading.Thread):
     """words replaces words of the record, cut stops the downlink, silent all
     packets; laws are words of the laws' row; refuses is why orders are refused,
@@ -66,6 +132,7 @@ class FakeNode(threading.Thread):
         self.laws = ()
         self.orders = []
         self.cards = []
+        self.recorder = Recorder()
         self.refuses = 0
         self.pilot = (packets.Pilot.HANDS_OFF if pilot
                       else packets.Pilot.NONE)
@@ -95,9 +162,12 @@ class FakeNode(threading.Thread):
     def hear(self):
         while True:
             try:
-                data = self.socket.recv(2048)
+                data, sender = self.socket.recvfrom(2048)
             except BlockingIOError:
                 return
+            if len(data) == packets.CARD_LENGTH and is_request(data):
+                self.recorder.ask(data, sender)
+                continue
             if len(data) == packets.CARD_LENGTH:
                 self.cards.append(packets.CardPacket.decode(data))
                 continue
@@ -185,6 +255,7 @@ class FakeNode(threading.Thread):
         self._due = time.monotonic()
         while not self._ends.is_set():
             self.hear()
+            self.recorder.answer(self.socket)
             if not self.silent:
                 self.sent = self.frame()
                 self.history.append(self.sent)

@@ -8,6 +8,7 @@ import re
 import signal
 
 import pytest
+from fake_node import recording_of
 from station_rig import KEYS_COUNT, PATIENCE_S, Station, take_sticks, until
 
 from urv import items, laws, packets
@@ -25,7 +26,8 @@ def record(standard):
 
 @pytest.fixture
 def station(record, tmp_path):
-    with Station(record, tmp_path, row=100) as station:
+    with Station(record, tmp_path, "--recordings", tmp_path,
+                 row=100) as station:
         station.flying()
         yield station
 
@@ -538,6 +540,39 @@ def test_fti8_d96_the_panel_of_cards_and_the_key_that_ends_one(
     other.keyboard.press("f")
     other.locator("#card_order", has_text="take the sticks").wait_for()
     assert other.locator("#card_file").is_disabled()
+
+
+def test_fti13_the_panel_of_the_recorder(station, pages):
+    node = station.node.recorder
+    node.rows = recording_of(range(2_000, 2_200))
+    page, other = pages.open(), pages.open()
+    page.keyboard.press("r")
+    page.locator("#recorder_state", has_text="not asked yet").wait_for()
+    page.locator("#ask_recorder").click()
+    page.locator("#recorder_holds", has_text="200 rows, 4.0 s, of 600 s"
+                 ).wait_for()
+    # Text typed there moves no switch.
+    page.locator("#fetch_last").press_sequentially("1")
+    node.a_frame = 1
+    page.locator("#fetch").click()
+    page.locator("#open_recorder.runs", has_text="rec").wait_for()
+    page.locator("#stop_fetch:enabled").click()
+    page.locator("#recorder_state", has_text="stopped").wait_for()
+    node.a_frame = 100
+    wrong = list(node.rows[2_170])
+    wrong[5] ^= 1
+    node.rows[2_170] = tuple(wrong)
+    page.locator("#fetch").click()
+    page.locator("#recorder_missing.caution",
+                 has_text="2170: their sums are wrong aboard").wait_for()
+    page.locator("#recorder_fetched", has_text="49 of 50 rows, 98 %"
+                 ).wait_for()
+    # A watcher sees it, and cannot fetch.
+    take_sticks(page)
+    other.keyboard.press("r")
+    other.locator("#recorder_missing.caution").wait_for()
+    other.locator("#who_fetches", has_text="take the sticks").wait_for()
+    assert other.locator("#fetch").is_disabled()
 
 
 def test_gnd35_an_order_from_the_page_and_what_became_of_it(station, pages):

@@ -5,8 +5,9 @@ damaged, files that are not whole, and the packets."""
 import random
 
 import pytest
+from fake_node import blocks_of
 
-from urv import (faults, flights, packets, recorder, recorder_blocks,
+from urv import (faults, flights, packets, recorder_blocks, recorder_fetch,
                  recordings, records)
 
 
@@ -14,18 +15,6 @@ def row_of(number, chance):
     words = [number >> 16, number & 0xFFFF,
              *(chance.randrange(65536) for _ in range(68))]
     return (*words, *recordings.sums(words))
-
-
-def blocks_of(row):
-    """The four blocks, made independently of the aircraft's code."""
-    number = recordings.number_of(row)
-    for part in range(4):
-        bits = "".join(f"{word:016b}" for word in row[18 * part:18 * part + 18])
-        words = [part << 10 | number >> 12, number & 0xFFF,
-                 *(int(bits[at:at + 12], 2) for at in range(0, 288, 12))]
-        words.append(sum((2 * place + 1) * word
-                         for place, word in enumerate(words)) % 4096)
-        yield words
 
 
 @pytest.fixture
@@ -105,18 +94,63 @@ class Aircraft:
 def test_fti10_lost_blocks_are_asked_for_again(lost):
     chance = random.Random(4)
     aboard = [row_of(number, chance) for number in range(4_000, 4_300)]
-    rows = recorder_blocks.Rows()
-    first, end, _ = recorder.fetched(Aircraft(aboard, lost), rows, None)
-    assert (first, end) == (4_000, 4_300)
-    assert rows.in_order() == aboard
+    fetch = recorder_fetch.Fetch(Aircraft(aboard, lost))
+    fetch.run()
+    assert (fetch.first, fetch.end, fetch.reason) == (4_000, 4_300, "")
+    assert fetch.rows.in_order() == aboard
 
 
 def test_fti10_only_the_newest_seconds():
     chance = random.Random(4)
     aboard = [row_of(number, chance) for number in range(300)]
-    rows = recorder_blocks.Rows()
-    recorder.fetched(Aircraft(aboard), rows, 1.0)
-    assert rows.in_order() == aboard[-50:]
+    fetch = recorder_fetch.Fetch(Aircraft(aboard), 1.0)
+    fetch.run()
+    assert fetch.rows.in_order() == aboard[-50:]
+
+
+class Interrupted(Aircraft):
+    """Falls silent after a number of blocks."""
+
+    def __init__(self, rows, blocks):
+        super().__init__(rows)
+        self.left = blocks
+
+    def block(self):
+        self.left -= 1
+        return super().block() if self.left >= 0 else None
+
+
+def test_fti10_a_fetch_goes_on_where_an_earlier_one_ended():
+    chance = random.Random(4)
+    aboard = [row_of(number, chance) for number in range(300)]
+    part = recorder_fetch.Fetch(Interrupted(aboard, 500))
+    part.run()
+    assert part.reason == "the aircraft does not answer any more"
+    kept = len(part.rows.rows)
+    assert 100 <= kept < 130
+    rest = Interrupted(aboard, 10_000)
+    again = recorder_fetch.Fetch(rest, rows=part.rows)
+    again.run()
+    assert again.rows.in_order() == aboard
+    # The newest row came twice, and four reports with the others.
+    assert not again.is_another
+    assert 10_000 - rest.left <= 4 * (301 - kept) + 4
+
+
+def test_fti10_rows_of_another_recording_are_forgotten():
+    chance = random.Random(4)
+    before, after = ([row_of(number, chance) for number in range(300)]
+                     for _ in range(2))
+    fetch = recorder_fetch.Fetch(Aircraft(before))
+    fetch.run()
+    fetch = recorder_fetch.Fetch(Aircraft(after), rows=fetch.rows)
+    fetch.run()
+    assert fetch.is_another
+    assert fetch.rows.in_order() == after
+    longer = after + [row_of(300, chance)]
+    fetch = recorder_fetch.Fetch(Aircraft(longer), rows=fetch.rows)
+    fetch.run()
+    assert fetch.rows.in_order() == longer
 
 
 def test_fti10_a_row_that_is_wrong_aboard_is_named():
@@ -125,11 +159,11 @@ def test_fti10_a_row_that_is_wrong_aboard_is_named():
     wrong = list(aboard[7])
     wrong[9] ^= 4
     aboard[7] = tuple(wrong)
-    rows = recorder_blocks.Rows()
-    first, end, reason = recorder.fetched(Aircraft(aboard), rows, None)
-    assert rows.missing(first, end) == [7]
-    assert reason == "their sums are wrong aboard"
-    assert recorder.named([7, 9, 10]) == "7, 9 to 10"
+    fetch = recorder_fetch.Fetch(Aircraft(aboard))
+    fetch.run()
+    assert fetch.missing() == [7]
+    assert fetch.reason == "their sums are wrong aboard"
+    assert recorder_fetch.named([7, 9, 10]) == "7, 9 to 10"
 
 
 def test_fti10_the_request_is_that_of_the_page():

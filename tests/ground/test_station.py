@@ -15,9 +15,10 @@ from pathlib import Path
 import pytest
 import websocket
 from aiohttp.http_exceptions import BadHttpMethod
+from fake_node import recording_of
 from station_rig import PATIENCE_S, Station, moved, until
 
-from urv import cards, deck, door, items, laws, packets, web
+from urv import cards, deck, door, items, laws, packets, recordings, web
 from urv.alerts import Alerts
 from urv.controls import Controls
 from urv.processes import Report
@@ -599,6 +600,127 @@ def test_fti8_wrong_cards_and_those_of_a_watcher_go_nowhere(station):
     station.node.logs[1][kind] = packets.LogRow(1, 7, 7, 3)
     station.wait(lambda state: "a card runs" in state["cards"]["text"],
                  "the aircraft's reason")
+
+
+# The flight recorder
+
+def fetches(console, what="fetch", last=None):
+    console.say({"t": "recorder", "what": what, "last": last})
+
+
+def recorder(station, *wanted):
+    """The recorder's state once it is one of these."""
+    return station.wait(lambda state: state["recorder"]["state"] in wanted,
+                        f"recorder {wanted}")["recorder"]
+
+
+@pytest.fixture
+def recording(record, tmp_path):
+    """A station whose aircraft has 300 rows in its recorder."""
+    with Station(record, tmp_path, "--recordings", tmp_path) as station:
+        station.node.recorder.rows = recording_of(range(4_000, 4_300))
+        station.flying()
+        yield station
+
+
+def rows_of(tmp_path, shown):
+    return recordings.Recording(tmp_path / shown["file"]).rows
+
+
+def test_fti13_a_page_asks_for_the_recorder_and_fetches_it(
+        recording, tmp_path):
+    console = recording.console()
+    assert recording.state()["recorder"]["state"] == "none"
+    fetches(console, "ask")
+    shown = recorder(recording, "known")
+    assert (shown["held"], shown["length"]) == (300, 30_000)
+    fetches(console, last=2)
+    shown = recorder(recording, "complete")
+    assert (shown["wanted"], shown["fetched"]) == (100, 100)
+    aboard = list(recording.node.recorder.rows.values())
+    assert rows_of(tmp_path, shown) == aboard[200:]
+    # The rest goes into the same file.
+    fetches(console)
+    until(lambda: recording.state()["recorder"]["fetched"] == 300, "all rows")
+    again = recorder(recording, "complete")
+    assert again["file"] == shown["file"]
+    assert rows_of(tmp_path, again) == aboard
+    assert recording.logged("300 of 300 rows, complete")[0]["kind"] == (
+        "recorder")
+
+
+def test_fti13_a_stopped_fetch_and_gaps_go_on_later(recording, tmp_path):
+    console = recording.console()
+    node = recording.node.recorder
+    node.a_frame = 1
+    fetches(console)
+    until(lambda: recording.state()["recorder"]["fetched"] > 5, "rows")
+    fetches(console, "stop")
+    shown = recorder(recording, "stopped")
+    assert 5 < shown["fetched"] < 300
+    stopped = rows_of(tmp_path, shown)
+    assert len(stopped) == shown["fetched"]
+    # A row that is wrong aboard remains missing, and is named.
+    node.a_frame = 100
+    wrong = list(node.rows[4_250])
+    wrong[9] ^= 4
+    node.rows[4_250] = tuple(wrong)
+    fetches(console)
+    shown = recorder(recording, "gaps")
+    assert (shown["fetched"], shown["missing"], shown["text"]) == (
+        299, "4250", "their sums are wrong aboard")
+    assert len(rows_of(tmp_path, shown)) == 299
+    assert recording.logged("299 of 300 rows, missing 4250")[0]["level"] == (
+        "caution")
+    # Another flight has a file of its own.
+    node.rows = recording_of(range(5_000, 5_020), seed=2)
+    time.sleep(1)
+    fetches(console)
+    other = recorder(recording, "complete")
+    assert other["file"] != shown["file"]
+    assert rows_of(tmp_path, other) == list(node.rows.values())
+
+
+def test_fti13_in_flight_and_without_a_link_the_page_says_why(recording):
+    console = recording.console()
+    recording.node.recorder.flies = True
+    fetches(console)
+    shown = recorder(recording, "failed")
+    assert "refused: the aircraft flies" in shown["text"]
+    recording.node.recorder.flies = False
+    recording.node.recorder.silent = True
+    fetches(console)
+    recording.wait(lambda state: "no answer: the link is lost"
+                   in state["recorder"]["text"], "no answer")
+
+
+def test_fti13_only_the_holder_of_the_sticks_fetches(recording):
+    console = holder(recording)
+    watcher = recording.console()
+    fetches(watcher)
+    for bad in ({"what": "erase", "last": None}, {"what": "fetch", "last": 0},
+                {"what": "fetch", "last": 1.5}, {"what": "fetch"}):
+        watcher.say({"t": "recorder"} | bad)
+    recording.wait(lambda state: state["station"]["bad"] == 4, "bad ones")
+    assert recording.state()["recorder"]["state"] == "none"
+    fetches(console)
+    recorder(recording, "complete")
+
+
+def test_fti13_a_recording_that_cannot_be_written_is_a_reason(
+        record, tmp_path):
+    with Station(record, tmp_path, "--recordings", tmp_path / "gone") as (
+            station):
+        station.node.recorder.rows = recording_of(range(20))
+        station.flying()
+        console = station.console()
+        fetches(console)
+        assert "cannot be written" in recorder(station, "failed")["text"]
+        # The rows are not lost.
+        (tmp_path / "gone").mkdir()
+        fetches(console)
+        shown = recorder(station, "complete")
+        assert len(rows_of(tmp_path / "gone", shown)) == 20
 
 
 def test_fti8_reasons_are_those_of_the_aircraft():

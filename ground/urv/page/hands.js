@@ -33,6 +33,7 @@ export const KEYS = [
   ["K", "acknowledge all alerts"], ["L", "light or dark"],
   ["C", "orders: gains of the laws, times of a lost link"],
   ["F E", "test cards; end the running one"],
+  ["R", "flight recorder: fetch it after the landing"],
 ];
 const BUTTONS = [
   ["right stick", "roll, pitch"],
@@ -213,7 +214,8 @@ export class Hands {
 
   key(event) {
     if (event.target.matches?.(
-      "input[type=range], #mark, #orders input, #orders select")) return;
+      "input[type=range], #mark, #orders input, #orders select,"
+      + " #recorder input")) return;
     if (isOld(event)) return;
     if (event.ctrlKey || event.metaKey || event.altKey) return;
     const key = named(event);

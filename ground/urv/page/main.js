@@ -9,6 +9,7 @@ import { Flight } from "./flight.js";
 import { Hands } from "./hands.js";
 import { Orders } from "./orders.js";
 import { showAlerts, showLines } from "./panels.js";
+import { Recorder } from "./recorder.js";
 import { store, stored } from "./stored.js";
 import { Systems } from "./systems.js";
 import { learn, tables } from "./tables.js";
@@ -68,6 +69,7 @@ const systems = new Systems();
 const hands = new Hands(send);
 const orders = new Orders(send);
 const cards = new Cards(send, hands);
+const recorder = new Recorder(send);
 const acknowledge = (key) => send({ t: "seen", key });
 
 function connect() {
@@ -165,6 +167,8 @@ function draw() {
   show_holder(silent);
   orders.draw(state.order, state.holder === hello.console, silent || !there);
   cards.draw(state.cards, state.holder === hello.console, silent || !there);
+  recorder.draw(state.recorder, state.holder === null
+    || state.holder === hello.console, there);
   body.dataset.seq = state.seq;
   body.dataset.late = (Date.now() - state.time_us / 1000).toFixed(0);
 }
@@ -367,7 +371,8 @@ byId("mark").addEventListener("keydown", (event) => {
   if (event.key === "Escape") byId("mark").blur();
 });
 addEventListener("keydown", (event) => {
-  if (event.target.matches?.("#mark, #orders input, #orders select") || event.repeat
+  if (event.target.matches?.("#mark, #orders input, #orders select,"
+    + " #recorder input") || event.repeat
     || event.ctrlKey
     || event.metaKey || event.altKey) return;
   if (event.key === "m" || event.key === "M") {
@@ -383,6 +388,8 @@ addEventListener("keydown", (event) => {
     cards.turn();
   } else if (event.key === "e" || event.key === "E") {
     hands.endCard();
+  } else if (event.key === "r" || event.key === "R") {
+    recorder.turn();
   } else if (event.key === "?") {
     byId("keys").showModal();
   }
