@@ -77,6 +77,13 @@ package Targets is
 
    procedure Put (Text : String);
 
+   --  These two need no variables. Open_Console lets Put write. Stop ends the
+   --  program: only power up or the reset switch begins another.
+
+   procedure Open_Console;
+
+   procedure Stop with No_Return;
+
    --  The largest number of stack bytes ever in use.
    function Stack_Used return Unsigned_32;
 

@@ -3,11 +3,10 @@
 --  The processor board's own ROM and RAM. Addresses select bytes of the ROM
 --  and words of the RAM (TST-1).
 --
---  The memories are outside the flight software; this package imports the bus
---  to them. On a host the bus leads to simulated memories
---  (Host.Memory_Hardware), on a target it reads and writes the address. One
---  program on a host may hold several processor boards, each with its own
---  memories.
+--  The memories are outside the flight software. The body leads to them: on a
+--  host to simulated memories (Host.Memory_Hardware), on a target to the
+--  addresses, by a body of its own. One program on a host may hold several
+--  processor boards, each with its own memories.
 --
 --  This is a boundary of the proof. The proof knows nothing of the values
 --  read, and assumes that each bus cycle ends.
@@ -38,32 +37,26 @@ is
       Where : Byte_Address;
       Data  : out Byte)
    with
-     Import,
-     Convention    => Ada,
-     External_Name => "urv_read_rom",
-     Global        => (Input => Cells),
-     Pre           => Where <= Last_ROM_Byte;
+     Inline,
+     Global => (Input => Cells),
+     Pre    => Where <= Last_ROM_Byte;
 
    procedure Read_RAM
      (Board : Board_Number;
       Where : Word_Address;
       Data  : out Word)
    with
-     Import,
-     Convention    => Ada,
-     External_Name => "urv_read_ram",
-     Global        => (Input => Cells),
-     Pre           => Where <= Last_RAM_Word;
+     Inline,
+     Global => (Input => Cells),
+     Pre    => Where <= Last_RAM_Word;
 
    procedure Write_RAM
      (Board : Board_Number;
       Where : Word_Address;
       Data  : Word)
    with
-     Import,
-     Convention    => Ada,
-     External_Name => "urv_write_ram",
-     Global        => (In_Out => Cells),
-     Pre           => Where <= Last_RAM_Word;
+     Inline,
+     Global => (In_Out => Cells),
+     Pre    => Where <= Last_RAM_Word;
 
 end Devices.Memory_Bus;

@@ -13,16 +13,19 @@ package Devices.Processor_Memories with SPARK_Mode is
 
    procedure Read_ROM (Where : Byte_Address; Data : out Byte)
    with
+     Inline,
      Global => (Input => Cells),
      Pre    => Where <= Last_ROM_Byte;
 
    procedure Read_RAM (Where : Word_Address; Data : out Word)
    with
+     Inline,
      Global => (Input => Cells),
      Pre    => Where <= Last_RAM_Word;
 
    procedure Write_RAM (Where : Word_Address; Data : Word)
    with
+     Inline,
      Global => (In_Out => Cells),
      Pre    => Where <= Last_RAM_Word;
 

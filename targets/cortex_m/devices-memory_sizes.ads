@@ -8,9 +8,9 @@ with URVOS.Memories; use URVOS.Memories;
 package Devices.Memory_Sizes with Pure, SPARK_Mode is
 
    --  112 KiB of flash memory, with the image's sum in the last four bytes,
-   --  and 16 KiB of RAM.
+   --  and 4 KiB of RAM.
    Last_ROM_Byte : constant Byte_Address := 16#1_BFFF#;
-   Last_RAM_Word : constant Word_Address := 16#1FFF#;
+   Last_RAM_Word : constant Word_Address := 16#7FF#;
 
    --  The check in flight reads these in each major frame (TST-3).
    ROM_Bytes_Per_Frame : constant := 64;

@@ -37,7 +37,17 @@ urv_reset:
 	cmp	r0, r1
 	beq	4f
 
-	@ Power up: give variables their first values.
+	@ Power up: test the RAM of the variables and the stack, with a stack
+	@ elsewhere.
+	ldr	r0, =urv_scratchpad_end
+	mov	sp, r0
+	ldr	r0, =urv_data_start
+	ldr	r1, =urv_stack_top
+	bl	urv_test_ram
+	ldr	r0, =urv_stack_top
+	mov	sp, r0
+
+	@ Give variables their first values.
 	ldr	r0, =urv_data_load
 	ldr	r1, =urv_data_start
 	ldr	r2, =urv_data_end

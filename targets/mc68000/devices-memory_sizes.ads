@@ -7,10 +7,10 @@ with URVOS.Memories; use URVOS.Memories;
 
 package Devices.Memory_Sizes with Pure, SPARK_Mode is
 
-   --  160 KiB of ROM, with the image's sum in the last four bytes, and 16 KiB
+   --  160 KiB of ROM, with the image's sum in the last four bytes, and 4 KiB
    --  of RAM.
    Last_ROM_Byte : constant Byte_Address := 16#2_7FFF#;
-   Last_RAM_Word : constant Word_Address := 16#1FFF#;
+   Last_RAM_Word : constant Word_Address := 16#7FF#;
 
    --  The check in flight reads these in each major frame (TST-3).
    ROM_Bytes_Per_Frame : constant := 16;

@@ -71,6 +71,14 @@ urv_reset:
 	| Power up: take the dual-ported memory from the telemetry board. Any
 	| operation of the board ends before the variables have their first values.
 	clr.l	urv_board_ready
+
+	| Test the RAM of the variables and the stack, with a stack elsewhere.
+	lea	urv_scratchpad_end, %sp
+	pea	urv_stack_top
+	pea	urv_data_start
+	jsr	urv_test_ram
+	lea	urv_stack_top, %sp
+	lea	urv_kept, %a3
 	.endif
 
 	| Give variables their first values.

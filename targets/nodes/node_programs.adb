@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Bare_Memories;
-pragma Unreferenced (Bare_Memories);
 with Devices.AD_Board; use Devices.AD_Board;
 with Last_Chance;
 pragma Unreferenced (Last_Chance);
@@ -9,6 +7,8 @@ with Line_Programs;
 with Machine_Needs;
 pragma Unreferenced (Machine_Needs);
 with Machine_Texts;    use Machine_Texts;
+with Power_Up_Tests;
+pragma Unreferenced (Power_Up_Tests);
 with Targets;
 with Telemetry;        use Telemetry;
 with Telemetry.Boards;

@@ -13,7 +13,10 @@ SECONDS = 6
 
 # Status words of CORE memory.
 START, COLD, WARM, PROCESSOR, SELF_TEST = range(5)
-ROM_FAILED = 0x1000
+ROM_FAILED, RAM_FAILED = 0x1000, 0x2000
+
+# The error word of data that has not come.
+OLD = 1
 
 SAFE = [0x800] * 7 + [0, 0xFFF] + [0x800] * 4 + [0]
 
@@ -77,5 +80,5 @@ def refuses_a_changed_bit(machine, folder, place):
     assert run.has("MCS refused") and not run.has("MCS started")
     last = max(run.rows)
     assert run.status(last)[SELF_TEST] == ROM_FAILED
-    assert run.uplink(last) == [0] * emulated.UPLINK
+    assert run.uplink(last) == [0] * (emulated.UPLINK - 1) + [OLD]
     assert run.pwm(last) == SAFE

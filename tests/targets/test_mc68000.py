@@ -2,6 +2,8 @@
 """BRD-1 to BRD-4, BRD-8: both nodes on the report's processor, on an emulated board
 beside the simulation of the same flight."""
 
+import subprocess
+
 import pytest
 
 import alignments
@@ -67,6 +69,32 @@ def test_brd7_a_node_that_serves_its_ticks_is_not_restarted(tmp_path):
                          ids=["sum", "over 64 KiB", "program"])
 def test_brd3_tst1_a_changed_bit_of_the_image_is_refused(tmp_path, place):
     bare.refuses_a_changed_bit(MACHINE, tmp_path, place)
+
+
+@pytest.mark.parametrize("place", ["urv_data_start", "urv_bss_end",
+                                   "urv_stack_top"])
+def test_brd3_tst1_a_stuck_cell_of_the_variables_allows_no_start(
+        tmp_path, place):
+    """Found before the variables have their first values."""
+    symbols = subprocess.run(
+        [f"{MACHINE.prefix}nm", MACHINE.images / "mcs.elf"],
+        check=True, capture_output=True, text=True).stdout
+    where = next(int(line.split()[0], 16) for line in symbols.splitlines()
+                 if line.endswith(f" {place}")) - (
+        2 if place == "urv_stack_top" else 0)
+    (tmp_path / "mcs.stuck").write_text(f"{where:x} 40")
+    run = MACHINE.fly({"mcs": emulated.Tape(1)}, tmp_path)["mcs"]
+    assert run.has(f"no start: RAM is faulty, byte {where}")
+    assert "MCS" not in run.text
+
+
+def test_brd3_tst1_a_stuck_cell_of_the_scratchpad_is_refused(tmp_path):
+    (tmp_path / "mcs.stuck").write_text("110234 40")
+    run = MACHINE.fly({"mcs": emulated.Tape(1)}, tmp_path)["mcs"]
+    assert run.has("MCS refused") and not run.has("MCS started")
+    last = max(run.rows)
+    assert run.status(last)[bare.SELF_TEST] == bare.RAM_FAILED + (0x11A >> 4)
+    assert run.pwm(last) == bare.SAFE
 
 
 def test_brd4_errors_of_the_line_are_counted_and_spoil_a_block(tmp_path):

@@ -1,12 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URVOS.Image_Sums;      use URVOS.Image_Sums;
 with URVOS.Processor_Tests; use URVOS.Processor_Tests;
 with URVOS.RAM_Tests;
-with URVOS.ROM_Checks;
 
 package body URVOS.Start_Tests with SPARK_Mode is
-
-   package ROM_Check is new URVOS.ROM_Checks (Last_Byte);
 
    package RAM_Test is new URVOS.RAM_Tests
      (Last  => Last_Word,
@@ -17,21 +15,14 @@ package body URVOS.Start_Tests with SPARK_Mode is
    procedure Test_ROM (Good : out Boolean);
 
    procedure Test_ROM (Good : out Boolean) is
-      use type ROM_Check.Outcome_Kind;
-      State   : ROM_Check.Check := ROM_Check.New_Check;
-      Outcome : ROM_Check.Outcome_Kind;
-      Data    : Byte;
+      Register : Sum := First_Value;
+      Data     : Byte;
    begin
       for Where in 0 .. Last_Byte loop
          Read_ROM (Where, Data);
-         ROM_Check.Take_Byte (State, Data, Outcome);
-         pragma Loop_Invariant
-           (if Where < Last_Byte
-            then State.Position = Where + 1
-              and then Outcome = ROM_Check.Under_Way);
+         Register := Next (Register, Data);
       end loop;
-      pragma Unreferenced (State);
-      Good := Outcome = ROM_Check.Found_Good;
+      Good := Register = Good_Image;
    end Test_ROM;
 
    procedure Run (Condition : Start_Condition; Result : out Test_Result) is

@@ -158,10 +158,20 @@ package body Targets is
         (After + Character_Period - After mod Character_Period,
          After + Tick_Period - After mod Tick_Period));
 
-   procedure Open is
+   procedure Open_Console is
    begin
       STM32_USART.Registers.Write_Control_1
         (Console, (Port_On | Sender_On => True, others => False));
+   end Open_Console;
+
+   procedure Stop is
+   begin
+      Leave;
+   end Stop;
+
+   procedure Open is
+   begin
+      Open_Console;
       Set_Up (Line, Cycles_Per_Bit, Interrupt => True);
       System_Priorities := SysTick_Last;
       Watchdog_Runs := False;

@@ -6,7 +6,8 @@
 
      board MHZ OUTPUT NODE ROM TELEMETRY_ROM TAPE [NODE ROM TELEMETRY_ROM TAPE]
 
-   With a file OUTPUT/NODE.places, each line "hexadecimal address name", it also
+   With a file OUTPUT/NODE.stuck, "hexadecimal address and bits", these bits of a
+   byte in the controller's RAM always read as 0. With a file OUTPUT/NODE.places, each line "hexadecimal address name", it also
    counts the cycles of the calls of these subprograms, without the interrupts
    and the other subprograms of the file that they contain.
 
@@ -151,6 +152,8 @@ struct call {
 struct node {
    char name[64];
    bool is_telemetry_board;
+   unsigned stuck_at;                 /* bits of a byte in RAM that read as 0 */
+   uint8_t stuck_bits;
    struct node *partner;              /* the node's other one */
    uint8_t *dual;                     /* the memory of both */
    FILE *console;
@@ -384,6 +387,22 @@ static void read_places(const char *output)
    }
    if (file)
       fclose(file);
+}
+
+static void read_stuck_bits(const char *output)
+{
+   char path[4096];
+   FILE *file;
+   unsigned bits;
+
+   snprintf(path, sizeof path, "%s/%s.stuck", output, node->name);
+   file = fopen(path, "r");
+   if (!file)
+      return;
+   if (fscanf(file, "%x %x", &node->stuck_at, &bits) != 2)
+      fail("wrong bits to be stuck at", node->stuck_at);
+   node->stuck_bits = (uint8_t)bits;
+   fclose(file);
 }
 
 static void print_places(void)
@@ -763,7 +782,8 @@ unsigned int m68k_read_memory_8(unsigned int where)
    if (where < ROM_SIZE)
       return node->rom[where];
    if (where - RAM_START < RAM_SIZE)
-      return node->ram[where - RAM_START];
+      return node->ram[where - RAM_START]
+         & (where == node->stuck_at ? ~node->stuck_bits : 0xFF);
    if (where - DUAL_START < DUAL_SIZE)
       return node->dual[where - DUAL_START];
    if (where >> 6 == 0xF00000 >> 6)
@@ -1088,6 +1108,7 @@ static void power_up_node(const char *output, char **arguments)
    size_t length;
 
    read_places(output);
+   read_stuck_bits(output);
    node->tape = contents(arguments[3], &length);
    node->lag = long_number(node->tape);
    node->delay_us = long_number(node->tape + 8);
@@ -1140,7 +1161,9 @@ int main(int count, char **arguments)
       all = true;
       for (int each = 0; each < node_count; each += 2) {
          run_node(nodes[each], nodes[each]->start + time);
-         all = all && nodes[each]->ended && nodes[each + 1]->ended;
+         /* A board waits for ever for a controller that does not start. */
+         all = all && nodes[each]->ended
+            && (nodes[each + 1]->ended || !nodes[each]->begun);
       }
    }
    for (int each = 0; each < node_count; each++)

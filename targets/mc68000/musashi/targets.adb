@@ -95,9 +95,22 @@ package body Targets is
 
    procedure End_Run;
 
-   procedure Open is
+   procedure Open_Console is
    begin
       MC68681.Registers.Write_Command (Console, Switch_On_Sender);
+   end Open_Console;
+
+   procedure Stop is
+   begin
+      Emulator.End_Run := 1;
+      loop
+         null;
+      end loop;
+   end Stop;
+
+   procedure Open is
+   begin
+      Open_Console;
       Converter.Vector := Board_Word (Devices.AD_Board.Interrupt_Vector);
       Converter.Interrupt := 1;
       Telemetry.Boards.Dual_Ported.Recover;

@@ -1,12 +1,15 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-package body Bare_Memories is
+--  The processor board's ROM and RAM, at the addresses that the linker's
+--  image.ld gives (TST-1, BRD-3). A machine has one board.
+
+package body Devices.Memory_Bus with SPARK_Mode => Off is
 
    ROM : array (Byte_Address range 0 .. Last_ROM_Byte) of Byte
-   with Volatile_Components, Import, External_Name => "urv_rom_image";
+   with Volatile, Import, External_Name => "urv_rom_image";
 
    RAM : array (Word_Address range 0 .. Last_RAM_Word) of Word
-   with Volatile_Components, Import, External_Name => "urv_tested_ram";
+   with Volatile, Import, External_Name => "urv_tested_ram";
 
    procedure Read_ROM
      (Board : Board_Number;
@@ -38,4 +41,4 @@ package body Bare_Memories is
       RAM (Where) := Data;
    end Write_RAM;
 
-end Bare_Memories;
+end Devices.Memory_Bus;
