@@ -2,6 +2,11 @@
 
 package body URV.AD_Scans with SPARK_Mode is
 
+   procedure Begin_Again (This : in out Scan) is
+   begin
+      This.Current := 0;
+   end Begin_Again;
+
    procedure Store
      (This  : in out Scan;
       Value : Word;

@@ -39,6 +39,13 @@ package URV.AD_Scans with Pure, SPARK_Mode is
      ((This with delta Current => 0))
    with Global => null;
 
+   --  The same in place
+   procedure Begin_Again (This : in out Scan)
+   with
+     Inline,
+     Global => null,
+     Post   => This = Restarted (This'Old);
+
    type Next_Step is
      (Start_Channel,   --  start the conversion of the current channel
       Send_Words,      --  all channels have been stored

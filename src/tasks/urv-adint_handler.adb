@@ -38,7 +38,7 @@ is
       procedure Restart (Reached : out Channel_Count) is
       begin
          Reached := Item.Current;
-         Item := Restarted (Item);
+         Begin_Again (Item);
       end Restart;
 
       procedure Store

@@ -265,7 +265,7 @@ package body Telemetry.Boards with SPARK_Mode is
       Data := Contents (This.Receive_Pair);
       Fresh := Any_Full (This.Receive_Pair);
       Ever_Received := This.Control.Messages > 0;
-      This.Receive_Pair := Taken (This.Receive_Pair);
+      Take_All (This.Receive_Pair);
       Checksum.Same_Bytes_Same_Sum
         (Data_Header (This.Control.Receive_Length),
          Before.Slots (This.Control.Receiver.Target).Data,

@@ -34,13 +34,10 @@ package Telemetry.Boards with Pure, SPARK_Mode is
 
    --  The board may have a character to send: it does not wait, or only for
    --  the short time at the end of a message.
-   function May_Speak (This : Board) return Boolean is
-     (not Is_Waiting (Control_Of (This))
-      or else Control_Of (This).Receiver.State = At_End)
+   function May_Speak (This : Board) return Boolean
    with Global => null;
 
-   function Time_Left (This : Board) return Character_Times is
-     (Time_Left (Control_Of (This)))
+   function Time_Left (This : Board) return Character_Times
    with Global => null;
 
    --  A transmit buffer is busy exactly while its block is on its way. Any
@@ -286,6 +283,15 @@ private
    end record;
 
    function Control_Of (This : Board) return Control is (This.Control);
+
+   --  These two read the component itself: Control_Of copies it.
+
+   function May_Speak (This : Board) return Boolean is
+     (not Is_Waiting (This.Control)
+      or else This.Control.Receiver.State = At_End);
+
+   function Time_Left (This : Board) return Character_Times is
+     (Time_Left (This.Control));
 
    function Receive_Pair (This : Board) return Buffer_Pair is
      (This.Receive_Pair);

@@ -153,6 +153,13 @@ package Telemetry.Memory with Pure, SPARK_Mode is
            (for Each in Slot => (Pair.Slots (Each) with delta Full => False))))
    with Global => null;
 
+   --  The same in place
+   procedure Take_All (Pair : in out Buffer_Pair)
+   with
+     Inline,
+     Global => null,
+     Post   => Pair = Taken (Pair'Old);
+
    --  The controller has put a block into a transmit pair.
    function Filled
      (Pair : Buffer_Pair;

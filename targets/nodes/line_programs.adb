@@ -28,9 +28,17 @@ package body Line_Programs is
       Next_Turn := Character_Count;
    end Hurry;
 
-   procedure On_Character_Time is
+   procedure Count_Character_Time is
    begin
       Character_Count := Character_Count + 1;
+   end Count_Character_Time;
+
+   --  The count may be beyond the turn, and may wrap round.
+   function Is_Due return Boolean is (Character_Count - Next_Turn < 2 ** 31);
+
+   procedure On_Character_Time is
+   begin
+      Count_Character_Time;
    end On_Character_Time;
 
    procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32) is
@@ -51,8 +59,7 @@ package body Line_Programs is
       Data      : Byte;
       Time_Left : Character_Times;
    begin
-      --  The count may be beyond the turn, and may wrap round.
-      if Character_Count - Next_Turn < 2 ** 31 then
+      if Is_Due then
          Elapse (Elapsed);
          Next_Character (Elapsed, Send, Data, Time_Left);
          if Send then

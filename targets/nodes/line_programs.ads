@@ -28,7 +28,17 @@ package Line_Programs is
    pragma Warnings (Off, "all instances of * same external name");
 
    --  Gives the telemetry board its turn at the next character time.
-   procedure Hurry;
+   procedure Hurry
+   with Inline;
+
+   --  A character time has begun; urv_character_time does the same.
+   procedure Count_Character_Time
+   with Inline;
+
+   --  The telemetry board has its turn at this character time; without it
+   --  urv_free_sender does nothing.
+   function Is_Due return Boolean
+   with Inline;
 
 private
 

@@ -6,11 +6,22 @@ with URVOS.Schedulers.Calls; use URVOS.Schedulers.Calls;
 package body URVOS.Executives
   with
     SPARK_Mode,
-    Refined_State => (Task_Management => (Tasks, Late))
+    Refined_State => (Task_Management => (Present, Late))
 is
 
-   Tasks : Scheduler;
-   Late  : Count := 0;
+   --  Others_Wait: a task besides the running one may be ready. While none is,
+   --  the processor is idle when that one sleeps: the scheduler need not
+   --  search.
+   type Management is record
+      Tasks       : Scheduler;
+      Others_Wait : Boolean := True;
+   end record
+   with Predicate => Others_Wait or else Is_Alone (Tasks);
+
+   Present : Management;
+   Late    : Count := 0;
+
+   Tasks : Scheduler renames Present.Tasks;
 
    --  Between two ticks each task sleeps at most once, and before one of them
    --  sleeps it gives way at most once to each task of higher priority.
@@ -32,9 +43,14 @@ is
    end Note_Overrun;
 
    procedure Choose is
-      Before : constant Count := Overruns (Tasks);
+      Before      : constant Count := Overruns (Tasks);
+      Others_Wait : Boolean;
    begin
-      Dispatch (Tasks);
+      Present.Others_Wait := True;
+      Dispatch (Tasks, Others_Wait);
+      if not Others_Wait then
+         Present.Others_Wait := False;
+      end if;
       if not Is_Idle (Tasks) then
          Note_Overrun (Before, TCB (Tasks, Running_TCB (Tasks)).Id);
       end if;
@@ -42,22 +58,24 @@ is
 
    procedure Start (Tree : Task_Tree; Now : Clock_Tick) is
    begin
+      Present.Others_Wait := True;
       Start (Tasks, Tree, Now);
    end Start;
 
    procedure Clock_Interrupt (Now : Clock_Tick) is
    begin
       if Now >= Clock (Tasks) then
+         Present.Others_Wait := True;
          Wake (Tasks, Now);
       end if;
       Choose;
    end Clock_Interrupt;
 
    function Time return Clock_Tick is (Clock (Tasks))
-   with Refined_Global => Tasks;
+   with Refined_Global => Present;
 
    function Is_Idle return Boolean is (Is_Idle (Tasks))
-   with Refined_Global => Tasks;
+   with Refined_Global => Present;
 
    procedure Run_Step (Runs_On : out Boolean) is
       Now    : Clock_Tick     := Clock (Tasks);
@@ -73,10 +91,16 @@ is
         Post => Clock (Tasks) = Clock (Tasks)'Old;
 
       procedure Put_To_Sleep (Until_Tick : Tick) is
+         Others_Wait : constant Boolean := Present.Others_Wait;
       begin
+         Present.Others_Wait := True;
          Sleep (Tasks, Until_Tick);
          Note_Overrun (Before, Id);
-         Choose;
+         if Others_Wait then
+            Choose;
+         else
+            Present.Others_Wait := False;
+         end if;
       end Put_To_Sleep;
 
    begin
@@ -90,11 +114,13 @@ is
       Step (Id, TCB (Tasks, Caller).First_Run, Now, Call);
       Read_Clock (Now);
       if Now > Clock (Tasks) then
+         Present.Others_Wait := True;
          Wake (Tasks, Now);
       end if;
 
       case Call.Name is
          when Kernel_Calls.Exit_Call =>
+            Present.Others_Wait := True;
             Schedulers.Calls.Exit_Call (Tasks);
             Note_Overrun (Before, TCB (Tasks, Running_TCB (Tasks)).Id);
             Runs_On := Running_TCB (Tasks) = Caller;
@@ -106,6 +132,7 @@ is
             Put_To_Sleep (Next_Release (Clock (Tasks), Call.Offset));
 
          when Terminate_Call =>
+            Present.Others_Wait := True;
             Terminate_Caller (Tasks);
             Choose;
       end case;

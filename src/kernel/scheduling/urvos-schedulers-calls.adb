@@ -80,15 +80,22 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
       Queue (S, Head_Of (S, Free), Loaded (Header, S.Clock));
    end Load;
 
-   procedure Dispatch (S : in out Scheduler) is
+   procedure Dispatch (S : in out Scheduler; Others_Wait : out Boolean) is
       Best : TCB_Count;
    begin
+      Others_Wait := True;
       if S.Running = No_TCB then
-         Best := Head_Of (S, Ready);
+         Find_Ready (S, Best, Others_Wait);
          if Best /= No_TCB then
             Switch_To (S, Best);
          end if;
       end if;
+   end Dispatch;
+
+   procedure Dispatch (S : in out Scheduler) is
+      Unused_Others_Wait : Boolean;
+   begin
+      Dispatch (S, Unused_Others_Wait);
    end Dispatch;
 
    procedure Wake (S : in out Scheduler; Now : Clock_Tick) is
@@ -97,8 +104,10 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
    end Wake;
 
    procedure Exit_Call (S : in out Scheduler) is
-      Best : constant TCB_Count := Head_Of (S, Ready);
+      Best               : TCB_Count;
+      Unused_Others_Wait : Boolean;
    begin
+      Find_Ready (S, Best, Unused_Others_Wait);
       if Best /= No_TCB
         and then S.TCBs (Best).Priority > S.TCBs (S.Running).Priority
       then
@@ -109,11 +118,24 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
    end Exit_Call;
 
    procedure Sleep (S : in out Scheduler; Until_Tick : Tick) is
+      Caller  : constant TCB_Number := S.Running;
+      Release : constant Tick       := Tick'Max (Until_Tick, S.Clock + 1);
+      Before  : constant Scheduler  := S with Ghost;
    begin
       if Has_Overrun (S) then
          S.Overruns := Incremented (S.Overruns);
       end if;
-      Queue (S, S.Running, Slept (S.TCBs (S.Running), Until_Tick, S.Clock));
+      S.Running := No_TCB;
+      S.TCBs (Caller).Release := Release;
+      S.TCBs (Caller).Ready_At := Release;
+      S.TCBs (Caller).New_Release := True;
+      S.TCBs (Caller).First_Run := False;
+      Move_To_End (S.Turns, Caller);
+      pragma Assert (Queue_Of (S, Caller) = Timer);
+      pragma Assert
+        (for all Which in TCB_Number =>
+           (if Which /= Caller
+            then Queue_Of (S, Which) = Queue_Of (Before, Which)));
    end Sleep;
 
    procedure Terminate_Caller (S : in out Scheduler) is

@@ -22,6 +22,15 @@ package URVOS.Schedulers.Calls with Pure, SPARK_Mode is
      Global => null,
      Post   => S = After_Dispatch (S'Old);
 
+   --  The same. Others_Wait: a task besides the running one may be ready. If
+   --  not, none is.
+   procedure Dispatch (S : in out Scheduler; Others_Wait : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       S = After_Dispatch (S'Old)
+       and then (Others_Wait or else Is_Alone (S));
+
    procedure Wake (S : in out Scheduler; Now : Clock_Tick)
    with
      Global => null,
@@ -38,7 +47,9 @@ package URVOS.Schedulers.Calls with Pure, SPARK_Mode is
    with
      Global => null,
      Pre    => not Is_Idle (S),
-     Post   => S = After_Sleep (S'Old, Until_Tick);
+     Post   =>
+       S = After_Sleep (S'Old, Until_Tick)
+       and then (if Is_Alone (S'Old) then Is_Alone (S));
 
    procedure Terminate_Caller (S : in out Scheduler)
    with

@@ -2,8 +2,16 @@
 
 package body URVOS.Schedulers with SPARK_Mode is
 
+   --  The ready queue has one head.
+   procedure Prove_One_Head (S : Scheduler; One, Other : TCB_Count)
+   with
+     Ghost,
+     Global => null,
+     Pre    => Is_Head (S, Ready, One) and then Is_Head (S, Ready, Other),
+     Post   => One = Other;
+
    --  The one of two TCBs that is ahead, if Head is one. It is out of the
-   --  loops: they are short and run often.
+   --  loop, which is short and runs often.
    function Better
      (S : Scheduler; Head : TCB_Count; Which : TCB_Number) return TCB_Number
    is
@@ -12,38 +20,17 @@ package body URVOS.Schedulers with SPARK_Mode is
      No_Inline,
      Global => null;
 
-   --  Head_Of for the ready queue, which is searched several times in each
-   --  minor frame.
-   function First_Ready (S : Scheduler) return TCB_Count
-   with
-     Global => null,
-     Post   => Is_Head (S, Ready, First_Ready'Result);
-
-   function First_Ready (S : Scheduler) return TCB_Count is
-      Head : TCB_Count := No_TCB;
+   procedure Prove_One_Head (S : Scheduler; One, Other : TCB_Count) is
    begin
-      for Which in TCB_Number loop
-         pragma Assert
-           (for all Other in TCB_Number =>
-              (if Other /= Which
-               then Is_Ahead (S, Other, Which) /= Is_Ahead (S, Which, Other)));
-         if S.TCBs (Which).Id /= No_Task
-           and then S.TCBs (Which).Ready_At <= S.Clock
-           and then Which /= S.Running
-         then
-            Head := Better (S, Head, Which);
-         end if;
-         pragma Loop_Invariant (Is_Head (S, Ready, Head, Which));
-      end loop;
-      return Head;
-   end First_Ready;
+      if One /= No_TCB and then Other /= No_TCB and then One /= Other then
+         pragma Assert (Is_Ahead (S, One, Other));
+         pragma Assert (not Is_Ahead (S, Other, One));
+      end if;
+   end Prove_One_Head;
 
    function Head_Of (S : Scheduler; Queue : Queue_Name) return TCB_Count is
       Head : TCB_Count := No_TCB;
    begin
-      if Queue = Ready then
-         return First_Ready (S);
-      end if;
       for Which in TCB_Number loop
          pragma Assert
            (for all Other in TCB_Number =>
@@ -58,5 +45,33 @@ package body URVOS.Schedulers with SPARK_Mode is
       end loop;
       return Head;
    end Head_Of;
+
+   procedure Find_Ready
+     (S           : Scheduler;
+      Head        : out TCB_Count;
+      Others_Wait : out Boolean) is
+   begin
+      Head := No_TCB;
+      Others_Wait := False;
+      for Which in TCB_Number loop
+         pragma Assert
+           (for all Other in TCB_Number =>
+              (if Other /= Which
+               then Is_Ahead (S, Other, Which) /= Is_Ahead (S, Which, Other)));
+         if S.TCBs (Which).Id /= No_Task
+           and then S.TCBs (Which).Ready_At <= S.Clock
+           and then Which /= S.Running
+         then
+            Others_Wait := Head /= No_TCB;
+            Head := Better (S, Head, Which);
+         end if;
+         pragma Loop_Invariant (Is_Head (S, Ready, Head, Which));
+         pragma Loop_Invariant
+           (if not Others_Wait
+            then (for all Place in 1 .. Which =>
+                    (if Queue_Of (S, Place) = Ready then Place = Head)));
+      end loop;
+      Prove_One_Head (S, Head, Head_Of (S, Ready));
+   end Find_Ready;
 
 end URVOS.Schedulers;

@@ -45,8 +45,6 @@ package body Telemetry_Board_Program is
 
    package Line_Turns is new Line_Programs (Accept_Character, Next_Character);
 
-   procedure On_Character_Time
-   with Import, Convention => C, External_Name => "urv_character_time";
    procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32)
    with Import, Convention => C, External_Name => "urv_character";
    procedure On_Free_Sender
@@ -94,7 +92,7 @@ package body Telemetry_Board_Program is
       if not Is_Ready then
          Targets.Restart_Processor (Memory_Is_Taken);
       end if;
-      On_Character_Time;
+      Line_Turns.Count_Character_Time;
       Receive (Line, Errors, Result);
       if Result.Is_There then
          Hear (Result.Data, Is_Damaged (Result));
@@ -103,7 +101,9 @@ package body Telemetry_Board_Program is
          if Has_News then
             Line_Turns.Hurry;
          end if;
-         On_Free_Sender;
+         if Line_Turns.Is_Due then
+            On_Free_Sender;
+         end if;
       end if;
       Targets.Feed_Watchdog;
       if Is_Over /= 0 then
