@@ -33,7 +33,7 @@ ROOT = Path(__file__).resolve().parent.parent
 RECORD = Path("proofs", "record.json")
 PROJECT = "urv.gpr"
 CONFIGURATION = "src/kernel/ravenscar.adc"
-BUS = "devices-memory_bus.ads"
+BUS = "devices-memory_bus.adb"
 COMMAND = ["gnatprove", "-P", PROJECT, "-XURV_Mode=flight", "-j0", "-k",
            "--checks-as-errors", "--warnings=error"]
 RESULTS = Path("obj", "flight", "gnatprove")
