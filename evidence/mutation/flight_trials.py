@@ -24,10 +24,6 @@ SIMULATOR_OBJECTS = ("obj/host", "obj/host-host", "obj/sim-host")
 TEST_OBJECTS = ("obj/test", "obj/test/unit")
 PROVER = ["gnatprove", "-P", "urv.gpr", "-XURV_Mode=flight", "-j1"]
 
-# The unit tests after this one take more than half of the time. They spoil
-# the line in every way: for mutants of the telemetry board only.
-LAST_QUICK_TEST = "LNK-10 the board counts the messages received"
-
 # The quick ones of the simulation's tests that look at the data's path; of
 # some folders also those that spoil the line, fly by the laws, seal the link.
 SIMULATION_TESTS = ["test_data_path.py", "test_wire.py"]
@@ -37,10 +33,6 @@ FOLDER_TESTS = {"telemetry": ["test_faults.py"], "laws": ["test_laws.py"],
 BUILD_LIMIT_S = 900
 TEST_LIMIT_S = 600
 PROOF_LIMIT_S = 1200
-
-
-def needs_every_test(mutant):
-    return mutant.path.startswith("src/telemetry/")
 
 
 def simulation_tests(wanted):
@@ -70,7 +62,6 @@ class FlightTrial(Copy):
         ])
         if stage is not FlightTrial.test:
             return None
-        every = any(map(needs_every_test, wanted))
         for command in (UNIT_TESTS, SIMULATOR):
             status, output = self.run(command, BUILD_LIMIT_S)
             if status != 0:
@@ -78,7 +69,7 @@ class FlightTrial(Copy):
         self.in_simulator = self.units_in_simulator()
         self.objects = {tests_too: self.object_code(tests_too)
                         for tests_too in (False, True)}
-        return (self.unit_tests(every)
+        return (self.unit_tests()
                 or self.simulation(simulation_tests(wanted)))
 
     def units_in_simulator(self):
@@ -115,25 +106,23 @@ class FlightTrial(Copy):
         every = Path(mutant.path).name not in self.in_simulator
         return self.object_code(every) == self.objects[every]
 
-    def unit_tests(self, every):
+    def unit_tests(self):
         """Why the unit tests fail, or nothing. The first failure ends
         them."""
         process = self.start(["bin/urv_tests_test"], preexec_fn=set_limits)
         alarm = threading.Timer(TEST_LIMIT_S, self.stop)
         alarm.start()
-        failure, last, enough = None, "", False
+        failure, last = None, ""
         for line in process.stdout:
             last = line.strip()
-            enough = enough or last.endswith(LAST_QUICK_TEST)
             if line.startswith("FAIL"):
                 failure = line[len("FAIL"):].strip()
-            if failure or (enough and not every):
                 self.stop()
                 break
         process.stdout.close()
         status = process.wait()
         alarm.cancel()
-        if failure or (enough and (status == 0 or not every)):
+        if failure or status == 0:
             return failure
         return f"ended with {status} after: {last[:100]}"
 
@@ -203,11 +192,10 @@ class FlightTrial(Copy):
         """The result of a mutant before the proof, and the test that gave
         it."""
         self.put(mutant)
-        every = needs_every_test(mutant)
         status, _ = self.run(UNIT_TESTS, BUILD_LIMIT_S)
         if status != 0:
             return INVALID, ""
-        failure = self.unit_tests(every)
+        failure = self.unit_tests()
         if failure:
             return "tests", failure
         status, _ = self.run(SIMULATOR, BUILD_LIMIT_S)
@@ -225,7 +213,6 @@ class FlightTrial(Copy):
         self.put(mutant)
         failure = self.proof(mutant)
         return ("proof", failure) if failure else (SURVIVED, "")
-
 
 
 def concerned(path):
