@@ -10,13 +10,14 @@ tests in Ada, with and without their contracts executed; the tests in Python of
 the simulation, of the real-time partitions and of the ground station; likely
 changes, built, tested and flown in a copy; the links of the requirements, the
 static data of each node, the proof record; both nodes on bare machines.
-All is built first. The live tests of the ground station then run beside the
-others, which give way to them: they wait more than they work. Those of the
-partitions run alone, for they measure times. Each test is
-a line, once; after 15 s without one, lines name what goes on. A part's other
-output comes at its end. A part that cannot be built or run counts as one failed
-test, and the other parts run all the same. Before the last line come the
-slowest tests, the failed ones, and each part with its result and time (EVI-11).
+All is built first. Then most parts run in three lanes beside each other, so
+that every processor has work. The live tests of the ground station and of the
+partitions are a lane: they wait more than they work, and the others give way
+to them. Tests that measure times run alone. Each test is a line, once; after
+15 s without one, lines name what goes on. A part's other output comes at its
+end. A part that cannot be built or run counts as one failed test, and the other
+parts run all the same. Before the last line come the slowest tests, the failed
+ones, and each part with its result and time (EVI-11).
 Exit status: 0 when none failed and at least one passed.
 """
 
@@ -57,6 +58,10 @@ SLOW = ("aircraft", "campaign", "campaign_checker", "circuit", "conditions",
 # The live tests of the ground station: they run in real time.
 LIVE = ("arrivals", "console_losses", "door", "gamepads", "ground", "mavlink",
         "page", "station")
+
+# The tests of the partitions that measure times.
+MEASURING = ("partition_flights", "partition_lock", "partition_recorder",
+             "partition_safety", "partition_slow_line")
 
 # This many live tests run at once, of any file. They wait more than they work:
 # two processors have time for more of them, and a test that is kept waiting
@@ -274,16 +279,28 @@ def quick_simulation_tests():
     return python_tests([SIMULATION], "simulation", SLOW)
 
 
+def all_but(chosen, folder):
+    names = [path.stem.removeprefix("test_")
+             for path in (ROOT / "tests" / folder).glob("test_*.py")]
+    return [name for name in names if name not in chosen]
+
+
 def real_time_tests():
-    return python_tests([PARTITIONS], "real_time", spread="worksteal",
+    return python_tests([PARTITIONS], "real_time", MEASURING,
+                        spread="worksteal", live=True,
+                        at_once=LIVE_AT_ONCE["real_time"])
+
+
+def measuring_tests():
+    return python_tests([PARTITIONS], "real_time",
+                        all_but(MEASURING, "real_time"),
+                        told="real_time-measuring", spread="worksteal",
                         live=True, at_once=LIVE_AT_ONCE["real_time"])
 
 
 def live_ground_tests():
-    names = [path.stem.removeprefix("test_")
-             for path in (ROOT / "tests" / "ground").glob("test_*.py")]
     return python_tests([SIMULATION, PARTITIONS], "ground",
-                        [name for name in names if name not in LIVE],
+                        all_but(LIVE, "ground"),
                         told="ground-live", spread="worksteal", live=True,
                         at_once=LIVE_AT_ONCE["ground"])
 
@@ -302,9 +319,9 @@ def change_tests():
     return python_tests([], "changes", at_once="1")
 
 
-def one_test(*command):
+def one_test(*command, program=sys.executable):
     began = time.monotonic()
-    status = run(sys.executable, *command)
+    status = run(program, *command)
     tests.append(Test(time.monotonic() - began, status != 0,
                       " ".join(command)))
     return (1, 0, 0) if status == 0 else BROKEN
@@ -324,10 +341,15 @@ def record_is_current():
 
 
 def proof():
+    """The flight software as recorded, and the bare boards' drivers (BRD-6)."""
     if not shutil.which("gnatprove"):
         screen.put("skipped: gnatprove is not on the PATH\n")
         return 0, 0, 1
-    return one_test("scripts/proof_record.py", "check")
+    return tuple(map(sum, zip(
+        one_test("scripts/proof_record.py", "check"),
+        one_test("-P", "targets/drivers.gpr", "--no-subprojects",
+                 "--checks-as-errors", "--warnings=error", "-k",
+                 program="gnatprove"))))
 
 
 PARTS = {
@@ -337,6 +359,7 @@ PARTS = {
     "simulation": simulation_tests,
     "ground station, live": live_ground_tests,
     "real time": real_time_tests,
+    "real time, measured": measuring_tests,
     "ground station": ground_tests,
     "bare machines": target_tests,
     "likely changes": change_tests,
@@ -346,8 +369,9 @@ PARTS = {
     "proof shows the recorded checks": proof,
 }
 
-# These run beside the others.
-BESIDE = ("ground station, live",)
+# Each of these lanes runs beside the other parts, its own in this order.
+LANES = (("ground station, live", "real time"),
+         ("likely changes", "simulation"))
 
 QUICK_PARTS = {
     **{name: PARTS[name] for name in PARTS
@@ -394,36 +418,39 @@ def run_part(part, name):
 
 
 def run_parts(parts):
-    """The results of the parts, in their order. The live tests of the ground
-    station run beside the others but for the first, which builds, the
-    partitions', which measure times, and the proof. All is built before, for a
-    program must not change while it runs."""
+    """The results of the parts, in their order. All is built first, for a
+    program must not change while it runs. Then come the lanes and, beside them,
+    the other parts, but for those that measure times and the proof: these run
+    alone, at the end."""
     names = list(parts)
-    live = [name for name in names if name in BESIDE]
-    others = [name for name in names if name not in BESIDE]
+    lanes = [[name for name in lane if name in parts] for lane in LANES]
+    others = [name for name in names if not any(name in lane for lane in LANES)]
     results = {}
 
     def run_all(some):
         for name in some:
             results[name] = run_part(parts[name], name)
 
-    if not live or not others:
-        run_all(names)
+    if not any(lanes) or not others:
+        for lane in [*lanes, others]:
+            run_all(lane)
     else:
         before = [name for name in others if parts[name] is every_source]
         after = [name for name in others
-                 if parts[name] in (real_time_tests, proof)]
+                 if parts[name] in (measuring_tests, proof)]
         run_all(before)
         modes = [mode for mode in ("test", "host")
                  if any(name.startswith("unit tests") for name in others)]
         for project, mode in (SIMULATION, PARTITIONS,
                               *((UNIT_TESTS, mode) for mode in modes)):
             build(project, mode)
-        beside = threading.Thread(target=run_all, args=(live,),
-                                  daemon=True)
-        beside.start()
+        beside = [threading.Thread(target=run_all, args=(lane,), daemon=True)
+                  for lane in lanes]
+        for lane in beside:
+            lane.start()
         run_all([name for name in others if name not in before + after])
-        beside.join()
+        for lane in beside:
+            lane.join()
         run_all(after)
     return {name: results[name] for name in names}
 

@@ -71,10 +71,10 @@ def test_what_is_slow_and_what_failed_is_named_at_the_end(
     assert "only: 19 passed, 1 failed, 0 skipped, in 0 s" in lines
 
 
-def test_live_parts_run_beside_others_and_the_proof_last(
+def test_lanes_run_beside_the_other_parts_and_the_proof_last(
         place, monkeypatch, capsys):
-    """Each waits until the part beside it has begun."""
-    begun = {name: threading.Event() for name in ("live", "busy")}
+    """Each waits until another part beside it has begun."""
+    begun = {name: threading.Event() for name in ("live", "long", "busy")}
     order = []
 
     def part(name, awaited=None):
@@ -87,17 +87,19 @@ def test_live_parts_run_beside_others_and_the_proof_last(
         return run_it
 
     first, last = part("first"), part("last")
-    monkeypatch.setattr(run_tests, "BESIDE", ("live",))
+    monkeypatch.setattr(run_tests, "LANES", (("live",), ("long", "next")))
     monkeypatch.setattr(run_tests, "every_source", first)
     monkeypatch.setattr(run_tests, "proof", last)
     monkeypatch.setattr(run_tests, "PARTS", {
-        "first": first, "live": part("live", "busy"),
-        "busy": part("busy", "live"), "last": last})
+        "first": first, "next": part("next"), "live": part("live", "long"),
+        "busy": part("busy", "live"), "long": part("long", "busy"),
+        "last": last})
     monkeypatch.setattr(sys, "argv", ["run_tests.py"])
     assert run_tests.main() == 0
     assert (order[0], order[-1]) == ("first", "last")
+    assert order.index("long") < order.index("next")
     assert capsys.readouterr().out.splitlines()[-1] == (
-        "4 passed, 0 failed, 0 skipped")
+        "6 passed, 0 failed, 0 skipped")
 
 
 def test_a_command_s_lines_of_tests_come_at_once_and_others_last(
