@@ -157,4 +157,5 @@ def drawn_faults(chance, history_s):
         first = calm_ms - chance.randrange(0, 5_000)
         lines.append(f"{first} cut {(history_s + CALM_S) * 1000 - first}")
     return lines, {"faults": float(len(kinds)), "for_good": float(for_good),
+                   "surface_fault": float(bool(names)),
                    "lost_in_calm": float(is_lost)}

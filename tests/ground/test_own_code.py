@@ -160,19 +160,6 @@ def test_sec10_a_flight_runs_no_code_of_the_current_folder(run, hostile):
     assert status in (0, 3), said + errors
 
 
-def test_sec10_workers_of_a_search_run_no_code_of_the_current_folder(
-        hostile, tmp_path):
-    """Those of bin/urv do so as it does itself."""
-    ended = subprocess.run(
-        [sys.executable, ROOT / "evidence/laws/histories.py", "--flights", "1",
-         "--jobs", "1", "--results", tmp_path / "results.jsonl"],
-        cwd=hostile, capture_output=True, text=True, check=False,
-        stdin=subprocess.DEVNULL, timeout=TIME_LIMIT_S)
-    assert marks(hostile) == []
-    assert ended.returncode == 0, ended.stdout + ended.stderr
-    assert len((tmp_path / "results.jsonl").read_text().splitlines()) == 1
-
-
 def test_sec10_workers_of_the_campaign_run_no_code_of_the_current_folder(
         hostile, tmp_path):
     """The program of a copy, which has results of its own."""
