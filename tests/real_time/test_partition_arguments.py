@@ -332,8 +332,8 @@ def run_as_nobody(node, **more):
 def test_rtp8_another_user_flies_without_priorities_and_gets_a_warning(node):
     result, summary = run_as_nobody(
         node, user=NOBODY, group=NOBODY, extra_groups=[])
-    # More frames where the machine has stopped it.
-    assert re.match(r"run +0\.\d+ s, \d+ frames, ", result.stdout)
+    # It takes longer where the machine has stopped it.
+    assert re.match(r"run +\d+\.\d+ s, \d+ frames, ", result.stdout)
     [line] = [line for line in result.stderr.splitlines()
               if NO_PRIORITIES in line]
     assert line.endswith("sudo prlimit --pid $$ --rtprio=99")
