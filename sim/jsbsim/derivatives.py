@@ -32,6 +32,8 @@ from airframes import AIRFRAMES, Airframe
 
 TIMES = plant.Times(tick=2000, frame=10, scan=8, shown=10)
 
+STEP_MS = TIMES.step * TIMES.tick / 1e3
+
 # Steps until servos have reached their commands: 4 s.
 SERVO_STEPS = 1000
 
@@ -181,6 +183,10 @@ def aircraft_file(ballast=None, airframe=OWN):
         "gravity_ft_s2": round(G_FT_S2 * math.hypot(
             state["accelerations/Nx"], state["accelerations/Nz"]), 3),
         **{name: round(value, 5) for name, value in mass.items()},
+        # JSBSim computes the accelerometers' readings before the forces of a
+        # step: they are those of the step before. It integrates attitudes by
+        # Euler's method, half a step late.
+        "delays_ms": {"attitude": STEP_MS / 2.0, "accelerations": STEP_MS},
         "derivatives": {name: round(value, 5) + 0.0
                         for name, value in derivatives.items()}}
 

@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+from types import SimpleNamespace
 
 # The arrays are small: more threads only wait for each other.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -20,11 +21,12 @@ from urv import faults
 from urv.identification import (
     aircraft,
     analysis,
+    compatibility,
     manoeuvres,
     measurements,
     output_error,
 )
-from urv.identification.output_error import ALL, Parameter
+from urv.identification.output_error import ALL, RECORD, Parameter
 
 STEP_S = 0.02
 TRUTH = {"stiffness": -9.0, "damping": -1.2, "control": 6.0}
@@ -35,6 +37,7 @@ class Oscillator:
 
     states = outputs = ("angle", "rate")
     sizes = (0.01, 0.01)
+    noisy = ()
     parameters = tuple(Parameter(name, ALL, 0.8 * value, 0.05)
                        for name, value in TRUTH.items())
 
@@ -150,6 +153,131 @@ def test_gnd62_what_is_only_considered_widens_the_bounds_of_others():
         assert unsure.deviations[name] > exact.deviations[name]
     # The force's effect is about that of the spring: 10 % of it.
     assert unsure.deviations["stiffness"] > 5 * exact.deviations["stiffness"]
+
+
+class Integrator:
+    """An angle from a measured rate with a constant error, as attitudes come
+    from the rates of gyros."""
+
+    states = outputs = ("angle",)
+    noisy = ("rate",)
+    sizes = (0.01,)
+    parameters = (Parameter("bias", RECORD, 0.0, 0.01, prior=(0.0, 1.0)),)
+
+    def prior(self, parameter, _record):
+        return parameter.prior
+
+    def first_states(self, segment):
+        return segment["angle"][:1]
+
+    def inputs(self, segment, times, _values):
+        return segment.splines("rate")(times)
+
+    def measured(self, segment):
+        return segment["angle"][None]
+
+    def rates(self, _states, inputs, values):
+        return inputs - values[:1]
+
+    def outputs_of(self, states, _inputs, _values):
+        return states
+
+
+def test_gnd62_intervals_contain_the_noise_of_measured_inputs():
+    """It is integrated: the residuals are a random walk, and show too little of
+    it."""
+    inside = 0
+    for seed in range(40):
+        chance = numpy.random.default_rng(seed)
+        times = STEP_S * numpy.arange(400)
+        rate = numpy.sin(3.0 * times)
+        parts = [measurements.Segment(
+            times, {"rate": rate + 0.03 + chance.normal(0, 0.1, 400),
+                    "angle": (1.0 - numpy.cos(3.0 * times)) / 3.0
+                    + chance.normal(0, 1e-3, 400)},
+            numpy.ones(400, bool), numpy.ones(400)) for _ in range(3)]
+        fit = output_error.estimate(output_error.Problem(Integrator(), parts))
+        inside += (abs(fit.of_records["bias", 0] - 0.03)
+                   <= analysis.FACTOR * fit.deviations["bias/0"])
+    # Without the noise of inputs 22 are.
+    assert inside >= 34
+
+
+def test_gnd61_the_noise_of_a_signal_is_found_without_its_movement():
+    chance = numpy.random.default_rng(1)
+    times = STEP_S * numpy.arange(2_000)
+    moves = numpy.sin(6.0 * times) + (times > 20.0)
+    for size in (1e-3, 1e-1):
+        found = measurements.noise_of(
+            moves + chance.normal(0, size, len(times)))
+        assert found == pytest.approx(size, rel=0.15)
+
+
+def fit_of(found, deviations, correlation):
+    """A fit of Kinematics as far as scale factors and delays go: those of alpha
+    and of the accelerations have this correlation."""
+    model = compatibility.Kinematics(measurements.GRAVITY)
+    names = [each.name for each in model.parameters
+             if each.name.startswith(("scale", "delay"))]
+    table = numpy.eye(len(names))
+    pair = [names.index(name) for name in ("scale alpha",
+                                           "delay accelerations")]
+    table[pair, pair[::-1]] = correlation
+    sizes = {f"{name}/0": deviations[name.split(" ")[0]] for name in names}
+    values = {(name, 0): float(name.startswith("scale")) for name in names}
+    return model, SimpleNamespace(
+        names=[f"{name}/0" for name in names],
+        of_records=values | {(name, 0): value
+                             for name, value in found.items()},
+        correlations=table, white_correlations=table,
+        deviations=sizes, white_deviations=sizes)
+
+
+def test_gnd61_errors_that_compensate_each_other_are_not_applied():
+    """Both are 4 deviations from none, along the line on which the data hardly
+    know them; with either one alone, the other is none."""
+    model, fit = fit_of({"scale alpha": 0.92, "delay accelerations": -0.028},
+                        {"scale": 0.02, "delay": 0.007}, 0.999)
+    chosen, others = compatibility.needed(model, fit, 0, False)
+    assert chosen == []
+    value, deviation = others["scale alpha"]
+    assert abs(value - 1.0) < 3.0 * deviation < 0.01
+
+
+def test_gnd61_an_error_that_the_data_need_is_applied_alone():
+    model, fit = fit_of({"scale alpha": 0.92, "delay accelerations": 0.0},
+                        {"scale": 0.02, "delay": 0.007}, 0.5)
+    assert compatibility.needed(model, fit, 0, False)[0] == ["scale alpha"]
+    assert compatibility.needed(model, fit, 0, True)[0] == []
+    model, fit = fit_of({"scale alpha": 0.92, "delay accelerations": 0.03},
+                        {"scale": 0.02, "delay": 0.007}, 0.0)
+    assert sorted(compatibility.needed(model, fit, 0, False)[0]) == [
+        "delay accelerations", "scale alpha"]
+
+
+def test_gnd61_known_delays_are_removed():
+    times = STEP_S * numpy.arange(200)
+    late = {"accelerations": 0.004, "attitude": 0.002}
+    part = measurements.Segment(
+        times, {name: numpy.sin(2.0 * (times - late.get(group, 0.0)))
+                for group, names in measurements.GROUPS.items()
+                for name in names},
+        numpy.ones(200, bool), numpy.ones(200))
+    found = measurements.without_delays(part, late)
+    for name in ("az", "theta", "p", "alpha"):
+        assert found[name][5:-5] == pytest.approx(
+            numpy.sin(2.0 * times)[5:-5], abs=1e-5), name
+
+
+def test_gnd62_the_noise_of_the_airspeed_is_smoothed():
+    times = STEP_S * numpy.arange(400)
+    speed = 118.0 - 5.0 * numpy.sin(times)
+    chance = numpy.random.default_rng(1)
+    part = measurements.Segment(
+        times, {"airspeed": speed + chance.normal(0, 0.4, 400)},
+        numpy.ones(400, bool), numpy.ones(400))
+    left = measurements.smooth_airspeed(part)["airspeed"] - speed
+    assert left[25:-25].std() < 0.15
 
 
 def test_gnd62_a_gap_in_the_data_counts_for_nothing():
@@ -370,6 +498,9 @@ def test_gnd61_a_mass_that_is_no_positive_number_is_refused(tmp_path, value):
 @pytest.mark.parametrize("field, value, error", [
     ("mass_slug", 1e-300, "mass_slug is from 1e-06 to 1e+09"),
     ("ixz_slug_ft2", -1e200, "ixz_slug_ft2 is from -1e+09 to 1e+09"),
+    ("delays_ms", {"rates": -1}, "delays_ms are numbers from 0 to 500 of"),
+    ("delays_ms", {"moments": 2}, "of attitude, rates, accelerations"),
+    ("delays_ms", [4], "delays_ms are numbers"),
     ("aircraft", "\ud800", "aircraft is a name of at most 60"),
     ("aircraft", ["lambda"], "aircraft is a name of at most 60")])
 def test_gnd61_what_no_aircraft_has_is_refused(

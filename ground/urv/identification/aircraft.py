@@ -24,6 +24,10 @@ LEAST, MOST = 1e-6, 1e9
 
 LONGEST_NAME = 60
 
+DELAYED = ("attitude", "rates", "accelerations", "airflow")
+"""Groups of sensors with a delay of their own: measurements.GROUPS."""
+MOST_DELAY_MS = 500.0
+
 POSITIVE = ("mass_slug", "ixx_slug_ft2", "iyy_slug_ft2", "izz_slug_ft2",
             "wing_area_ft2", "span_ft", "chord_ft")
 
@@ -45,6 +49,8 @@ class Aircraft:
     """What level accelerometers show where the aircraft flies, ft/s2."""
     prior: dict[str, float] = field(default_factory=dict)
     """Derivatives for comparison, per rad."""
+    delays: dict[str, float] = field(default_factory=dict)
+    """Known delays of groups of sensors, s: DELAYED."""
 
 
 def read(path: Path = DEFAULT) -> Aircraft:
@@ -83,12 +89,21 @@ def read(path: Path = DEFAULT) -> Aircraft:
     if not isinstance(prior, dict) or not all(
             _is_number(value) for value in prior.values()):
         raise faults.Refused(f"{where}: derivatives are names with numbers")
+    delays = given.get("delays_ms", {})
+    if not isinstance(delays, dict) or not all(
+            each in DELAYED and _is_number(value)
+            and 0.0 <= value <= MOST_DELAY_MS
+            for each, value in delays.items()):
+        raise faults.Refused(
+            f"{where}: delays_ms are numbers from 0 to {MOST_DELAY_MS:g} of"
+            f" {', '.join(DELAYED)}")
     return Aircraft(
         name,
         given["mass_slug"], given["ixx_slug_ft2"], given["iyy_slug_ft2"],
         given["izz_slug_ft2"], given["ixz_slug_ft2"], given["wing_area_ft2"],
         given["span_ft"], given["chord_ft"], gravity,
-        {name: float(value) for name, value in prior.items()})
+        {name: float(value) for name, value in prior.items()},
+        {each: value / 1e3 for each, value in delays.items()})
 
 
 def _is_number(value) -> bool:

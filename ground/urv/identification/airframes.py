@@ -28,8 +28,8 @@ DEG = numpy.radians(1.0)
 
 TIMING_S = 0.002
 """Standard deviation with which the delays, none, of surfaces, of alpha and
-beta, and of the moments behind what causes them are known. Flight data cannot
-separate them well from what a model lacks."""
+beta, of accelerations, and of the moments after their causes are known. Flight
+data cannot separate them well from what a model lacks."""
 
 LEAST_ERROR = {"airspeed": 1e-3, "alpha": 1e-5}
 """Least deviations of constant errors, ft/s and rad."""
@@ -45,6 +45,9 @@ class Airframe:
     coefficients: tuple[str, ...]
     variables: tuple[str, ...]
     surfaces: tuple[str, ...]
+    by_speed: bool
+    """The airspeed, as a share of its mean, is a variable too: thrust does not
+    grow with the dynamic pressure."""
     kinematic: tuple[str, ...]
     """Measured signals that the equations of motion take."""
     turning: tuple[int, ...]
@@ -74,6 +77,8 @@ class Airframe:
             Parameter("moments' delay", RECORD, 0.0, 0.002, is_input=True,
                       prior=(0.0, TIMING_S), is_considered=True),
             Parameter("airflow's delay", RECORD, 0.0, 0.002,
+                      prior=(0.0, TIMING_S), is_considered=True),
+            Parameter("accelerations' delay", RECORD, 0.0, 0.002,
                       prior=(0.0, TIMING_S), is_considered=True))
         self.place = {each.name: number
                       for number, each in enumerate(self.parameters)}
@@ -82,6 +87,10 @@ class Airframe:
                    for variable in ("0", *self.variables)]
             for name in self.coefficients}
         self.late_columns = None, None
+
+    @property
+    def noisy(self):
+        return self.kinematic
 
     @property
     def derivatives(self) -> list[str]:
@@ -101,7 +110,8 @@ class Airframe:
         return numpy.array([segment[name][:5].mean() for name in self.states])
 
     def inputs(self, segment, times, values):
-        """Signals, then true airspeed and dynamic pressure, then surfaces."""
+        """Signals, then true airspeed and dynamic pressure, then surfaces,
+        then the share by which the airspeed exceeds its mean."""
         error = values[self.place["airspeed error"]]
         delay = (values[self.place["surfaces' delay"]]
                  - values[self.place["moments' delay"]])
@@ -112,7 +122,9 @@ class Airframe:
             segment.splines(*self.kinematic)(times),
             [calibrated / numpy.sqrt(ratio),
              0.5 * measurements.SEA_LEVEL_DENSITY * calibrated ** 2],
-            segment.splines(*self.surfaces)(times + delay)])
+            segment.splines(*self.surfaces)(times + delay),
+            [calibrated / (segment["airspeed"].mean() - error) - 1.0]
+            if self.by_speed else numpy.empty((0, len(times)))])
 
     def coefficient(self, name, regressors, values):
         """The sum of a coefficient's parts."""
@@ -145,6 +157,15 @@ class Airframe:
             return states[0]
         return states[0] - delay * self.motion(states, inputs, values)[0]
 
+    def late_force(self, states, inputs, values):
+        """The specific force as a late accelerometer shows it. The surfaces'
+        share is that of their own delay."""
+        delay = values[self.place["accelerations' delay"]]
+        if (abs(delay) < LEAST_DELAY_S).all():
+            return self.forces(states, inputs, values)[0]
+        before = states - delay * self.motion(states, inputs, values)
+        return self.forces(before, inputs, values)[0]
+
     def pressure_and_speed(self, segment: Segment):
         calibrated = segment["airspeed"]
         return (0.5 * measurements.SEA_LEVEL_DENSITY * calibrated ** 2,
@@ -160,11 +181,12 @@ class Longitudinal(Airframe):
     turning = (1,)
     sizes = (0.2 * DEG, 0.5 * DEG, 0.2 * DEG)
     coefficients = ("CZ", "Cm")
-    variables = ("alpha", "q", "elevator")
+    variables = ("alpha", "q", "elevator", "speed")
     surfaces = ("elevator",)
+    by_speed = True
     kinematic = ("p", "r", "phi", "beta", "ax")
     sizes_of = {"CZ": 0.1, "Cm": 0.03, "alpha": 2.0 * DEG, "q": 0.002,
-                "elevator": 2.0 * DEG}
+                "elevator": 2.0 * DEG, "speed": 0.5}
     errors = (Parameter("error of q", RECORD, 0.0, 0.1 * DEG,
                         prior=(0.0, 2.0 * DEG)),
               Parameter("error of az", RECORD, 0.0, 0.005 * GRAVITY,
@@ -174,8 +196,8 @@ class Longitudinal(Airframe):
         """Specific force along z, and the pitching moment over the inertia."""
         own = self.aircraft
         alpha, q = states[0], states[1]
-        speed, pressure, elevator = inputs[5:8]
-        regressors = (alpha, q * own.chord / (2.0 * speed), elevator)
+        speed, pressure, elevator, change = inputs[5:9]
+        regressors = (alpha, q * own.chord / (2.0 * speed), elevator, change)
         area = pressure * own.wing_area
         return (area / own.mass * self.coefficient("CZ", regressors, values),
                 area * own.chord / own.iyy
@@ -198,7 +220,7 @@ class Longitudinal(Airframe):
 
     def outputs_of(self, states, inputs, values):
         alpha, q, theta = states
-        force, _ = self.forces(states, inputs, values)
+        force = self.late_force(states, inputs, values)
         alpha = self.late(states, inputs, values)
         return numpy.array([alpha, q + values[self.place["error of q"]],
                             theta,
@@ -217,7 +239,9 @@ class Longitudinal(Airframe):
                    - own.ixz * (r * r - p * p)) / (area * own.chord),
         }, numpy.array([smooth(segment["alpha"]),
                         q * own.chord / (2.0 * speed),
-                        smooth(segment["elevator"])])
+                        smooth(segment["elevator"]),
+                        smooth(segment["airspeed"])
+                        / segment["airspeed"].mean() - 1.0])
 
 
 class Lateral(Airframe):
@@ -231,6 +255,7 @@ class Lateral(Airframe):
     coefficients = ("CY", "Cl", "Cn")
     variables = ("beta", "p", "r", "aileron", "rudder")
     surfaces = ("aileron", "rudder")
+    by_speed = False
     kinematic = ("q", "alpha", "theta", "ax", "az")
     sizes_of = {"CY": 0.03, "Cl": 0.01, "Cn": 0.005, "beta": 3.0 * DEG,
                 "p": 0.02, "r": 0.01, "aileron": 3.0 * DEG,
@@ -286,7 +311,7 @@ class Lateral(Airframe):
 
     def outputs_of(self, states, inputs, values):
         beta, p, r, phi = states
-        force, _, _ = self.forces(states, inputs, values)
+        force = self.late_force(states, inputs, values)
         beta = self.late(states, inputs, values)
         return numpy.array([
             beta, p + values[self.place["error of p"]],

@@ -101,8 +101,10 @@ def identify(flights, aircraft, finders=manoeuvres.FINDERS,
         for each in manoeuvres.found(flight, finders):
             flown = Flown(each, record)
             try:
-                flown.segment = measurements.segment(
-                    flight, each.begin, each.end, record)
+                flown.segment = measurements.without_delays(
+                    measurements.segment(
+                        flight, each.begin, each.end, record),
+                    aircraft.delays)
             except measurements.Unusable as fault:
                 flown.reason = str(fault)
             own.append(flown)
@@ -112,7 +114,8 @@ def identify(flights, aircraft, finders=manoeuvres.FINDERS,
             known = compatibility.check(
                 [each.segment for each in usable], aircraft.gravity)
             for each in usable:
-                each.segment = compatibility.corrected(each.segment, known)
+                each.segment = measurements.smooth_airspeed(
+                    compatibility.corrected(each.segment, known))
         checks.append(known)
         parts += own
     deviations = {

@@ -18,13 +18,17 @@ LONGEST_SHARE = 0.25
 weighted by Bartlett's window, so that no variance is below zero."""
 
 
-def covariances(slopes, residuals, priors=(), considered=None):
+def covariances(slopes, residuals, priors=(), considered=None,
+                gradients=()):
     """The covariance for coloured residuals, and that for white ones.
 
     slopes are those of each segment's outputs: outputs, times, parameters;
     residuals are outputs, times; both over the noise's deviation. priors are
     (parameter, mean, standard deviation). considered parameters were not
     estimated; each has the standard deviation with which it is known.
+    gradients are of the likelihood, by changes of the outputs that noise of the
+    inputs makes: arrays of draws, parameters. What a model integrates is coloured
+    over more than any lag, so that the residuals show too little of it.
     """
     considered = considered or {}
     many = slopes[0].shape[2]
@@ -47,9 +51,12 @@ def covariances(slopes, residuals, priors=(), considered=None):
     # Each estimated parameter uses up one independent residual.
     count = _independent(residuals, kernel)
     free = count / max(count - (many - len(considered)), count / 4.0)
-    # Correlation of either sign: never narrower than for white residuals.
+    # Correlation of either sign: never narrower than for white residuals and
+    # the noise of the inputs.
+    least = numpy.diag(white) + _by_inputs(
+        gradients, white, considered) / free
     scale = numpy.sqrt(numpy.maximum(
-        numpy.diag(white) / numpy.maximum(numpy.diag(coloured), 1e-300), 1.0))
+        least / numpy.maximum(numpy.diag(coloured), 1e-300), 1.0))
     coloured = free * coloured * scale * scale[:, None]
     for index, deviation in considered.items():
         effect[index][list(considered)] = 0.0
@@ -57,6 +64,15 @@ def covariances(slopes, residuals, priors=(), considered=None):
         coloured += numpy.outer(moved, moved)
         coloured[index, index] = deviation ** 2
     return coloured, free * white
+
+
+def _by_inputs(gradients, white, considered):
+    """The variance of each parameter by the noise of the inputs."""
+    if not len(gradients):
+        return 0.0
+    gradients = numpy.concatenate(gradients)
+    gradients[:, list(considered)] = 0.0
+    return ((gradients @ white) ** 2).mean(axis=0)
 
 
 def autocorrelation(residuals, longest):

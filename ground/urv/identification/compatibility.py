@@ -76,6 +76,7 @@ class Kinematics:
 
     states = ("u", "v", "w", "phi", "theta", "height")
     outputs = ("airspeed", "alpha", "beta", "phi", "theta", "altitude")
+    noisy = ("p", "q", "r", "ax", "ay", "az")
     sizes = (1.0, 1.0, 1.0, DEG, DEG, 1.0)
 
     def __init__(self, gravity):
@@ -209,29 +210,79 @@ def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
     fit = output_error.estimate(output_error.Problem(model, segments))
     record = segments[0].record
     is_rough = roughness(model, fit, segments) > ROUGH
+    applied, others = needed(model, fit, record, is_rough)
+    # Beside an error that is not applied, the others would have a share of it.
+    small = {each.name: each.prior[0] for each in model.parameters
+             if each.name.split(" ")[0] in ("scale", "delay")
+             and each.name not in applied}
+    fit = output_error.estimate(output_error.Problem(model, segments, small))
     found = []
     for each in model.parameters:
         if each.is_considered:
             continue
         kind, name = each.name.split(" ")
-        value = fit.of_records[each.name, record]
-        deviation = fit.deviations[f"{each.name}/{record}"]
-        determined = deviation < 0.5 * each.prior[1]
+        value, deviation = others.get(each.name) or (
+            fit.of_records[each.name, record],
+            fit.deviations[f"{each.name}/{record}"])
         unit, factor = {
             "bias": SHOWN[BIASES[name][0]] if kind == "bias" else None,
             "scale": ("", 1.0), "delay": ("ms", 1e3)}[kind]
-        far = abs(value - each.prior[0])
-        applied = determined and (
-            kind == "bias" or not is_rough
-            and far > SIGNIFICANT * deviation
-            and far > (LEAST_DELAY_S if kind == "delay"
-                       else LEAST_SCALE_ERROR))
-        found.append(Found(each.name, unit, value * factor,
-                           deviation * factor, determined, applied))
+        determined = deviation < 0.5 * each.prior[1]
+        found.append(Found(
+            each.name, unit, value * factor, deviation * factor, determined,
+            determined if kind == "bias" else each.name in applied))
     return Compatibility(
         found, fit, segments, is_rough,
         *(min(fit.deviations[f"bias {name}/{record}"], BIASES[name][1])
           for name in ("airspeed", "alpha")))
+
+
+def needed(model, fit, record, is_rough):
+    """The scale factors and delays without which the data disagree; and for each
+    other one its value and deviation, if it is the only one beside these.
+
+    By forward selection: again and again the most significant one joins, judged
+    as if those that have not joined were none. Estimated all at once, a scale
+    factor of alpha and a delay of the accelerations compensate each other, and
+    both look significant. In rough air none joins."""
+    nominal = {each.name: each.prior[0] for each in model.parameters
+               if each.name.split(" ")[0] in ("scale", "delay")}
+    names = list(nominal)
+    keys = [f"{name}/{record}" for name in names]
+    rows = [fit.names.index(key) for key in keys]
+    found = numpy.array([fit.of_records[name, record] - nominal[name]
+                         for name in names])
+
+    def covariance(correlations, deviations):
+        sizes = numpy.array([deviations[key] for key in keys])
+        return correlations[numpy.ix_(rows, rows)] * numpy.outer(sizes, sizes)
+
+    information = numpy.linalg.pinv(covariance(
+        fit.white_correlations, fit.white_deviations), hermitian=True)
+    coloured = covariance(fit.correlations, fit.deviations)
+    chosen = []
+    while True:
+        beside = {}
+        for row, name in enumerate(names):
+            if row not in chosen:
+                both = [*chosen, row]
+                # The estimate of these alone, from that of all.
+                shares = (numpy.linalg.pinv(
+                    information[numpy.ix_(both, both)], hermitian=True)
+                    @ information[both])[-1]
+                beside[name] = (shares @ found, numpy.sqrt(
+                    max(shares @ coloured @ shares, 1e-18)))
+        large = {name: abs(value) / deviation
+                 for name, (value, deviation) in beside.items()
+                 if abs(value) > max(
+                     SIGNIFICANT * deviation,
+                     LEAST_DELAY_S if name.startswith("delay")
+                     else LEAST_SCALE_ERROR)}
+        if is_rough or not large:
+            return ([names[row] for row in chosen],
+                    {name: (nominal[name] + value, deviation)
+                     for name, (value, deviation) in beside.items()})
+        chosen.append(names.index(max(large, key=large.get)))
 
 
 def corrected(segment: Segment, known: Compatibility) -> Segment:

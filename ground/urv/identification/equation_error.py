@@ -18,8 +18,9 @@ WINDOW = 11
 ORDER = 3
 """Of Savitzky and Golay's filter: 0.22 s, for slopes and all else alike."""
 
-LEAST_MOVEMENT = {"alpha": 2e-3, "q": 1e-4, "elevator": 2e-3, "beta": 2e-3,
-                  "p": 1e-3, "r": 5e-4, "aileron": 2e-3, "rudder": 2e-3}
+LEAST_MOVEMENT = {"alpha": 2e-3, "q": 1e-4, "elevator": 2e-3, "speed": 5e-3,
+                  "beta": 2e-3, "p": 1e-3, "r": 5e-4, "aileron": 2e-3,
+                  "rudder": 2e-3}
 """Deviation of a regressor below which nothing has moved it: 0.1 deg of an
 angle."""
 

@@ -45,7 +45,7 @@ def model(result, aircraft) -> dict:
             [each.density_ratio for each in segments])))
         speeds.append(middle["airspeed"])
         missing += [name for name, each in axis.derivatives.items()
-                    if not each.is_determined]
+                    if not (each.is_determined or name.endswith("_speed"))]
         found[kind.axis] = linear(
             kind(aircraft, {}), axis.derivatives, middle, ratio)
     return {
@@ -75,7 +75,8 @@ def linear(airframe, derivatives, middle, ratio) -> dict:
     states = numpy.array([at.get(name, 0.0) for name in airframe.states])
     signals = [at.get(name, 0.0) for name in airframe.kinematic]
     inputs = numpy.array([*signals, speed, pressure,
-                          *(0.0 for _ in airframe.surfaces)])
+                          *(0.0 for _ in airframe.surfaces),
+                          *(0.0 for _ in range(airframe.by_speed))])
     if airframe.axis == "longitudinal":
         # Level flight: the weight is carried, and no moment is left.
         values[airframe.place["CZ_0"]] = (
@@ -94,9 +95,10 @@ def linear(airframe, derivatives, middle, ratio) -> dict:
                 *(each[:, None] for each in changed), values[:, None])[:, 0])
         return (found[0] - found[1]) / (2.0 * STEP)
 
-    first = len(inputs) - len(airframe.surfaces)
+    first = len(signals) + 2
     A = numpy.array([slopes(0, row) for row in range(len(states))]).T
-    B = numpy.array([slopes(1, row) for row in range(first, len(inputs))]).T
+    B = numpy.array([slopes(1, row) for row in range(
+        first, first + len(airframe.surfaces))]).T
     outputs = {STATES[name]: numpy.eye(len(states))[row]
                for row, name in enumerate(airframe.states)}
     if airframe.axis == "longitudinal":

@@ -11,7 +11,7 @@ import statistics
 from dataclasses import dataclass, replace
 
 import numpy
-from scipy import interpolate
+from scipy import interpolate, signal
 
 from urv import faults, flights, packets
 
@@ -23,6 +23,9 @@ SEA_LEVEL_DENSITY = 0.0023769
 """slug/ft3"""
 
 LONGEST_GAP_S = 0.1
+
+SMOOTH_FRAMES, SMOOTH_ORDER = 51, 3
+"""Of Savitzky and Golay's filter of the airspeed: about 1 s."""
 
 SENSORS = {
     "p": "roll_rate", "q": "pitch_rate", "r": "yaw_rate",
@@ -43,6 +46,9 @@ ATTITUDE, RATES, ACCELERATIONS, AIRFLOW = (
     ("phi", "theta", "altitude"), ("p", "q", "r"), ("ax", "ay", "az"),
     ("alpha", "beta", "airspeed"))
 """Groups of sensors that share a delay."""
+
+GROUPS = {"attitude": ATTITUDE, "rates": RATES,
+          "accelerations": ACCELERATIONS, "airflow": AIRFLOW}
 
 
 CHANNELS_LATE = {
@@ -153,6 +159,27 @@ def _sensor(flight, name):
                              f" no column of {name}")
     unit = flights.records.item_of(f"{flight.downlink}.{name}").unit
     return values * FACTORS[unit]
+
+
+def noise_of(values) -> float:
+    """The standard deviation of white noise in a smooth signal, from its fourth
+    differences. Their median takes no step of the signal for noise."""
+    found = numpy.diff(values, 4)
+    return float(numpy.median(abs(found)) / 0.6745 / numpy.sqrt(70.0))
+
+
+def smooth_airspeed(part: Segment) -> Segment:
+    """The segment with an airspeed that changes as slowly as that of an aircraft:
+    the noise of a probe would be noise of all forces and moments."""
+    return part.with_signals(airspeed=signal.savgol_filter(
+        part["airspeed"], min(SMOOTH_FRAMES, (len(part.times) - 1) | 1),
+        SMOOTH_ORDER))
+
+
+def without_delays(part: Segment, known: dict[str, float]) -> Segment:
+    """The segment without the known delays of groups of sensors."""
+    return shifted(part, {name: delay for group, delay in known.items()
+                          for name in GROUPS[group]})
 
 
 def shifted(part: Segment, delays: dict[str, float]) -> Segment:

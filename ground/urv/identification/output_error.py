@@ -18,13 +18,18 @@ from typing import Protocol
 import numpy
 from scipy import optimize
 
-from urv.identification import bounds
+from urv.identification import bounds, measurements
 from urv.identification.measurements import Segment
 
 MOST_ROUNDS = 12
 MOST_STEPS = 8
 MOST_KEPT = 2
 """Results of a search that are kept: the best one and a step that failed."""
+
+DRAWS = 50
+"""Of the noise of inputs: deviations from them are known to a tenth."""
+MOST_AT_ONCE = 1_000_000
+"""Times of all columns that are integrated at once for them."""
 
 FAR = 1e4
 """States beyond this have diverged."""
@@ -63,6 +68,8 @@ class Model(Protocol):
     sizes: tuple[float, ...]
     """Changes of the first states that matter."""
     parameters: tuple[Parameter, ...]
+    noisy: tuple[str, ...]
+    """The measured signals among the inputs: the first rows, in this order."""
 
     def prior(self, parameter: Parameter, record: int):
         """Mean and standard deviation, or None."""
@@ -93,6 +100,7 @@ class Fit:
     white_deviations: dict[str, float]
     """The same if the residuals were white."""
     correlations: numpy.ndarray
+    white_correlations: numpy.ndarray
     names: list[str]
     """Of the rows of correlations."""
     noise: numpy.ndarray
@@ -200,8 +208,7 @@ class Problem:
     def integrated(self, vector, with_changes):
         """Columns are the segments, then the segments with each parameter
         changed."""
-        model, count = self.model, len(self.segments)
-        many = len(model.parameters)
+        count, many = len(self.segments), len(self.model.parameters)
         base = self.locals(vector)
         steps = list(self.changes()) if with_changes else []
         sets = [base]
@@ -211,9 +218,18 @@ class Problem:
             sets.append(changed)
         table = numpy.concatenate(sets).T
         values, states = table[:many], table[many:].copy()
-        columns = table.shape[1]
-        inputs = self.input_table(base, sets, steps)
+        out = self.outputs_of(
+            self.input_table(base, sets, steps), states, values)
+        return out[:, :, :count], [
+            (local, change, out[:, :, (place + 1) * count:(place + 2) * count])
+            for place, (local, change) in enumerate(steps)]
+
+    def outputs_of(self, inputs, states, values):
+        """The outputs of all columns, by Runge and Kutta's method: outputs,
+        times, columns."""
+        model = self.model
         step = self.segments[0].step
+        columns = states.shape[1]
         out = numpy.empty((len(model.outputs), self.longest, columns))
         with numpy.errstate(all="ignore"):
             for time in range(self.longest):
@@ -231,10 +247,38 @@ class Problem:
                 states = states + step / 6.0 * (
                     first + 2.0 * (second + third) + fourth)
                 numpy.clip(states, -FAR, FAR, out=states)
-        out = numpy.nan_to_num(out, nan=FAR, posinf=FAR, neginf=-FAR)
-        return out[:, :, :count], [
-            (local, change, out[:, :, (place + 1) * count:(place + 2) * count])
-            for place, (local, change) in enumerate(steps)]
+        return numpy.nan_to_num(out, nan=FAR, posinf=FAR, neginf=-FAR)
+
+    def disturbances(self, vector):
+        """The changes of the outputs by noise of the measured inputs, drawn
+        DRAWS times, some at once: for each segment draws, outputs, times."""
+        chance = numpy.random.default_rng(0)
+        left = DRAWS if self.model.noisy else 0
+        while left:
+            draws = max(1, min(left, MOST_AT_ONCE // (
+                self.longest * len(self.segments))))
+            yield self.disturbed(vector, draws, chance)
+            left -= draws
+
+    def disturbed(self, vector, draws, chance):
+        many, count = len(self.model.parameters), len(self.segments)
+        base = self.locals(vector)
+        inputs = self.input_table(base, [base], [])
+        tiled = numpy.tile(inputs, (1, 1, draws))
+        for row, name in enumerate(self.model.noisy):
+            sizes = numpy.tile([measurements.noise_of(each[name])
+                                for each in self.segments], draws)
+            noise = chance.standard_normal(
+                (self.longest, draws * count)) * sizes
+            tiled[::2, row] += noise
+            tiled[1::2, row] += 0.5 * (noise[:-1] + noise[1:])
+        table = numpy.tile(base.T, draws)
+        out = self.outputs_of(tiled, table[many:].copy(), table[:many])
+        undisturbed, _ = self.integrate(vector, False)
+        return [
+            ((out[:, :, number::count] - undisturbed[:, :, number, None])
+             .transpose(2, 0, 1)[:, :, :len(part.times)] * part.is_fresh)
+            for number, part in enumerate(self.segments)]
 
     def input_table(self, base, sets, steps):
         """Inputs at the frames and between them: times, inputs, columns."""
@@ -335,9 +379,13 @@ def estimate(problem: Problem) -> Fit:
               for each in problem.sensitivities(changed, base)]
     covariance, white = bounds.covariances(
         tables, [each / noise[:, None] for each in differences],
-        problem.priors, problem.considered)
+        problem.priors, problem.considered,
+        [sum(numpy.einsum("dot,otp->dp", drawn / noise[:, None], table)
+             for drawn, table in zip(some, tables, strict=True))
+         for some in problem.disturbances(vector)])
     deviations = numpy.sqrt(numpy.maximum(numpy.diag(covariance), 0.0))
     safe = numpy.where(deviations > 0, deviations, 1.0)
+    whites = numpy.sqrt(numpy.diag(white))
     of_all = {each.name for each in problem.model.parameters}
     return Fit(
         {name: vector[index] for index, name in enumerate(problem.names)
@@ -346,8 +394,9 @@ def estimate(problem: Problem) -> Fit:
          for index, name in enumerate(problem.names)
          if name.count("/") == 1 and not name.startswith("first ")},
         dict(zip(problem.names, deviations, strict=True)),
-        dict(zip(problem.names, numpy.sqrt(numpy.diag(white)), strict=True)),
-        covariance / safe / safe[:, None], problem.names, noise,
+        dict(zip(problem.names, whites, strict=True)),
+        covariance / safe / safe[:, None],
+        white / whites / whites[:, None], problem.names, noise,
         [base[:, :len(part.times), number]
          for number, part in enumerate(problem.segments)],
         differences, number, has_converged)
