@@ -4,8 +4,8 @@
 --  partition reads (RTP-1).
 
 with Devices.Memory_Bus;
-with Devices.Shared_AD_Board;
 with Telemetry.Shared_Boards;
+with URV.AD_Boards;
 with URV.Shared_Errors;
 with URV.Shared_Schedules;
 with URV.Shared_Seals;
@@ -14,7 +14,7 @@ with URV.Shared_Seals;
 pragma Warnings (Off, "*is not referenced");
 
 generic
-   AD_Board        : in out Devices.Shared_AD_Board.Board;
+   AD_Board        : in out URV.AD_Boards.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    Errors          : in out URV.Shared_Errors.Shared_Log;
    Sealing         : in out URV.Shared_Seals.Shared_Seal;

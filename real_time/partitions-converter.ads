@@ -16,11 +16,11 @@
 --  excludes it: otherwise a word of an abandoned scan would enter the next
 --  scan, as the word of another channel (SAF-2).
 
-with Devices.Shared_AD_Board;
+with URV.AD_Boards;
 with URV.Buffers; use URV.Buffers;
 
 generic
-   Board : in out Devices.Shared_AD_Board.Board;
+   Board : in out URV.AD_Boards.Board;
 
    --  Samples the channels. Is_Next: the scan follows another of the same
    --  frame. Without Is_There no conversion of the scan ends (D-33).

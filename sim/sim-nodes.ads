@@ -63,7 +63,7 @@ package Sim.Nodes is
    --  The clock of the aircraft's PWM board ticks (SAF-11).
    procedure Tick_Servos;
 
-   --  The analog-to-digital board's hardware: see Devices.Shared_AD_Board. It
+   --  The analog-to-digital board's hardware: see URV.AD_Boards. It
    --  interrupts the controller if that has enabled it, and is not down.
 
    procedure Take_Start

@@ -93,18 +93,19 @@ optimise="$optimise -fno-delete-null-pointer-checks"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatw.V -gnatwe -gnatyg -gnatyM79 -g"
 
 # Both nodes share the objects, which are made again with other switches.
-stamp="$stamp $language $listing $optimise $fast schedulers"
+stamp="$stamp $language $listing $optimise $fast schedulers boards"
 if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
    rm -rf objects
    mkdir objects
    echo "$stamp" >objects/stamp
 fi
 cd objects
-# The telemetry board's software runs at each character, and the scheduler's
-# loops several times at each tick: they are built for speed. These are names,
-# not paths: a machine may have a body of its own.
+# The telemetry board's software runs at each character, the converter's board at
+# each channel, and the scheduler's loops several times at each tick: they are
+# built for speed. These are names, not paths: a machine may have a body of its
+# own.
 for each in telemetry-boards telemetry-receivers telemetry-shared_boards \
-   urvos-schedulers urvos-schedulers-calls
+   urvos-schedulers urvos-schedulers-calls urv-ad_boards
 do
    # shellcheck disable=SC2086
    "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \

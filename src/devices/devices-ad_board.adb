@@ -2,6 +2,12 @@
 
 package body Devices.AD_Board with SPARK_Mode is
 
+   procedure Start (Board : in out Registers; Channel : Channel_Number) is
+   begin
+      Board.Channel := Channel;
+      Board.Doing := Start_Wanted;
+   end Start;
+
    procedure Begin_Conversion (Board : in out Registers) is
    begin
       if Board.Doing = Start_Wanted then

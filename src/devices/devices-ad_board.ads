@@ -58,7 +58,13 @@ package Devices.AD_Board with Pure, SPARK_Mode is
       then (Board with delta Data => Value, Doing => Idle)
       else Board);
 
-   --  The last two in place
+   --  The last three in place
+
+   procedure Start (Board : in out Registers; Channel : Channel_Number)
+   with
+     Inline,
+     Global => null,
+     Post   => Board = Started (Board'Old, Channel);
 
    procedure Begin_Conversion (Board : in out Registers)
    with

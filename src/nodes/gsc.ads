@@ -8,7 +8,6 @@
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with Devices.Processor_Memories;
-with Devices.Shared_AD_Board;
 with Telemetry.Shared_Boards;
 with URVOS;              use URVOS;
 with URVOS.Frames;       use URVOS.Frames;
@@ -16,6 +15,7 @@ with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
 with URVOS.Node_Software;
 with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with URV.AD_Boards;
 with URV.AD_Task;
 with URV.ADINT_Handler;
 with URV.Codecs;         use URV.Codecs;
@@ -41,7 +41,7 @@ package GSC with SPARK_Mode is
 
    --  Boards
 
-   AD_Board : Devices.Shared_AD_Board.Board;
+   AD_Board : URV.AD_Boards.Board;
 
    CORE_Memory : URV.Shared_CORE_Memory.Board;
 

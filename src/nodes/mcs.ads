@@ -9,7 +9,6 @@
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
 with Devices.Processor_Memories;
-with Devices.Shared_AD_Board;
 with Telemetry.Shared_Boards;
 with URVOS;              use URVOS;
 with URVOS.Frames;       use URVOS.Frames;
@@ -19,6 +18,7 @@ with URVOS.Node_Software;
 with URVOS.Shared_Frame_Locks;
 with URVOS.Task_Lists;
 with URVOS.Task_Trees;   use URVOS.Task_Trees;
+with URV.AD_Boards;
 with URV.AD_Scans;       use URV.AD_Scans;
 with URV.AD_Task;
 with URV.ADINT_Handler;
@@ -55,7 +55,7 @@ package MCS with SPARK_Mode is
 
    --  Boards
 
-   AD_Board : Devices.Shared_AD_Board.Board;
+   AD_Board : URV.AD_Boards.Board;
 
    PWM_Board : URV.PWM_Boards.Board;
 

@@ -16,6 +16,8 @@ package URV.AD_Scans with Pure, SPARK_Mode is
    --  complete.
    type Channel_Count is range 0 .. Channel_Words'Length;
 
+   No_Channel : constant Channel_Count := Channel_Count'Last;
+
    --  The number of scans in a row, and the number that fit in a tick.
 
    type Scan_Count is range 0 .. 7;
@@ -49,7 +51,8 @@ package URV.AD_Scans with Pure, SPARK_Mode is
    type Next_Step is
      (Start_Channel,   --  start the conversion of the current channel
       Send_Words,      --  all channels have been stored
-      Ignore);         --  the interrupt was not expected
+      Ignore,          --  the interrupt was not expected
+      Discard);        --  the conversion was abandoned: no interrupt
 
    --  The word of the current channel has been converted.
    procedure Store

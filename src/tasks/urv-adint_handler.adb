@@ -1,72 +1,28 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Devices.AD_Board; use Devices.AD_Board;
-with URVOS;            use URVOS;
-with URV.Errors;       use URV.Errors;
+with URV.Errors; use URV.Errors;
 
-package body URV.ADINT_Handler
-  with
-    SPARK_Mode,
-    Refined_State => (Current_Scan => Guarded_Scan)
-is
-
-   protected Guarded_Scan is
-
-      procedure Restart (Reached : out Channel_Count);
-
-      procedure Store
-        (Value   : Word;
-         Next    : out Next_Step;
-         Current : out Channel_Count);
-
-      function Words return Channel_Words;
-
-   private
-      Item : Scan;
-   end Guarded_Scan;
+package body URV.ADINT_Handler with SPARK_Mode is
 
    --  The scan is complete, or the interrupt was not expected: rare, and out
    --  of the path of all other interrupts.
-   procedure End_Scan (Is_Complete : Boolean; Value : Word)
+   procedure End_Scan (Next : Next_Step; Value : Word)
    with
      No_Inline,
-     Global =>
-       (Input => Guarded_Scan, In_Out => (ADINT_Variable, Errors));
-
-   protected body Guarded_Scan is
-
-      procedure Restart (Reached : out Channel_Count) is
-      begin
-         Reached := Item.Current;
-         Begin_Again (Item);
-      end Restart;
-
-      procedure Store
-        (Value   : Word;
-         Next    : out Next_Step;
-         Current : out Channel_Count)
-      is
-      begin
-         Store (Item, Value, Next);
-         Current := Item.Current;
-      end Store;
-
-      function Words return Channel_Words is (Item.Words);
-
-   end Guarded_Scan;
+     Global => (Input => AD_Board, In_Out => (ADINT_Variable, Errors)),
+     Pre    => Next in Send_Words | Ignore;
 
    procedure Begin_Scan (Reached : out Channel_Count) is
    begin
-      Guarded_Scan.Restart (Reached);
-      AD_Board.Start (0);
+      AD_Board.Begin_Scan (Reached);
    end Begin_Scan;
 
-   procedure End_Scan (Is_Complete : Boolean; Value : Word) is
+   procedure End_Scan (Next : Next_Step; Value : Word) is
       Item    : Channel_Words;
       Success : Boolean;
    begin
-      if Is_Complete then
-         Item := Guarded_Scan.Words;
+      if Next = Send_Words then
+         Item := AD_Board.Words;
          ADINT_Variable.Send (Item, Success);
          if not Success then
             Errors.Report (Scan_Not_Consumed, 0);
@@ -77,16 +33,22 @@ is
    end End_Scan;
 
    procedure Handle_Interrupt is
-      Value   : constant Word := AD_Board.Data;
-      Next    : Next_Step;
-      Current : Channel_Count;
+      Value : Word;
+      Next  : Next_Step;
    begin
-      Guarded_Scan.Store (Value, Next, Current);
-      if Next /= Start_Channel then
-         End_Scan (Next = Send_Words, Value);
-      elsif Current <= Channel_Count (Channel'Last) then
-         AD_Board.Start (Channel_Number (Current));
+      AD_Board.Take_Value (Value, Next);
+      if Next in Send_Words | Ignore then
+         End_Scan (Next, Value);
       end if;
    end Handle_Interrupt;
+
+   procedure Handle_Value (Value : Word; Channel : out Channel_Count) is
+      Next : Next_Step;
+   begin
+      AD_Board.Pass_Value (Value, Next, Channel);
+      if Next in Send_Words | Ignore then
+         End_Scan (Next, Value);
+      end if;
+   end Handle_Value;
 
 end URV.ADINT_Handler;

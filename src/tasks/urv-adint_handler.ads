@@ -3,38 +3,35 @@
 --  The analog-to-digital interrupt handler (report, 4.2, table 2; ADI-1).
 --
 --  Produces ADINT_variable. Its locals are Channel and the data area, which
---  the AD task resets when it begins a scan.
+--  the AD task resets when it begins a scan: URV.AD_Boards keeps them.
 
-with Devices.Shared_AD_Board; use Devices.Shared_AD_Board;
+with URVOS;             use URVOS;
 with URVOS.Shared_Mailboxes;
-with URV.AD_Scans;            use URV.AD_Scans;
-with URV.Buffers;             use URV.Buffers;
-with URV.Shared_Errors;       use URV.Shared_Errors;
+with URV.AD_Boards;
+with URV.AD_Scans;      use URV.AD_Scans;
+with URV.Buffers;       use URV.Buffers;
+with URV.Shared_Errors; use URV.Shared_Errors;
 
 generic
    with package Words is
      new URVOS.Shared_Mailboxes (Message => Channel_Words, others => <>);
-   AD_Board       : in out Board;
+   AD_Board       : in out URV.AD_Boards.Board;
    ADINT_Variable : in out Words.Variable;
    Errors         : in out Shared_Log;
-package URV.ADINT_Handler
-  with
-    SPARK_Mode,
-    Abstract_State =>
-      (Current_Scan with Synchronous,
-       External => (Async_Readers, Async_Writers)),
-    Initializes    => Current_Scan
-is
+package URV.ADINT_Handler with SPARK_Mode is
 
    --  Begins a scan with channel 0. Reached is the number of channels that the
    --  last scan converted.
    procedure Begin_Scan (Reached : out Channel_Count)
-   with Global => (In_Out => (Current_Scan, AD_Board));
+   with Global => (In_Out => AD_Board);
 
    --  The board has converted a channel.
    procedure Handle_Interrupt
-   with
-     Global =>
-       (In_Out => (Current_Scan, AD_Board, ADINT_Variable, Errors));
+   with Global => (In_Out => (AD_Board, ADINT_Variable, Errors));
+
+   --  The same on a machine whose own interrupt ends the conversion with a
+   --  Value. Channel is to be converted next, or No_Channel.
+   procedure Handle_Value (Value : Word; Channel : out Channel_Count)
+   with Global => (In_Out => (AD_Board, ADINT_Variable, Errors));
 
 end URV.ADINT_Handler;

@@ -20,7 +20,7 @@ package body Bare_GSC is
       CORE_Memory     => GSC.CORE_Memory,
       Node            => GSC.Bare_Metal,
       Begin_Start     => Begin_Start,
-      AD_Interrupt    => GSC.ADINT.Handle_Interrupt);
+      Handle_Value    => GSC.ADINT.Handle_Value);
 
    procedure Start is
    begin

@@ -69,7 +69,7 @@ package body Bare_MCS is
       CORE_Memory     => MCS.CORE_Memory,
       Node            => MCS.Bare_Metal,
       Begin_Start     => Begin_Start,
-      AD_Interrupt    => MCS.ADINT.Handle_Interrupt,
+      Handle_Value    => MCS.ADINT.Handle_Value,
       Tick_Boards     => Tick_Boards,
       Write_Outputs   => Write_Outputs,
       Set_Laws        => Set_Laws,

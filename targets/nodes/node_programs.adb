@@ -13,7 +13,6 @@ with Targets;
 with Telemetry;        use Telemetry;
 with Telemetry.Boards;
 with URV.CORE_Memory;
-with URVOS;            use URVOS;
 
 package body Node_Programs is
 
@@ -58,17 +57,11 @@ package body Node_Programs is
    end On_Tick;
 
    procedure On_Converted (Value : Unsigned_32) is
-      Interrupt : Boolean;
-      Wanted    : Boolean;
-      Channel   : Channel_Number;
+      Channel : Channel_Count;
    begin
-      AD_Board.Finish (Word (Value and 16#FFF#), Interrupt);
-      if Interrupt then
-         AD_Interrupt;
-      end if;
-      AD_Board.Take_Start (Wanted, Channel);
-      if Wanted then
-         Targets.Convert (Channel);
+      Handle_Value (Word (Value and 16#FFF#), Channel);
+      if Channel /= No_Channel then
+         Targets.Convert (Channel_Number (Channel));
       else
          Scan_Ended := True;
          Awake := Targets.Up;

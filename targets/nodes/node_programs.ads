@@ -4,23 +4,26 @@
 --  partitions, with the handlers that targets.ads lists. An image has one
 --  instance.
 
-with Devices.Shared_AD_Board;
 with Interfaces;   use Interfaces;
 with Telemetry.Shared_Boards;
+with URV.AD_Boards;
+with URV.AD_Scans; use URV.AD_Scans;
 with URV.Shared_CORE_Memory;
+with URVOS;        use URVOS;
 with URVOS.Bare_Nodes;
 with URVOS.Starts; use URVOS.Starts;
 
 generic
    Name            : String;
-   AD_Board        : in out Devices.Shared_AD_Board.Board;
+   AD_Board        : in out URV.AD_Boards.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    CORE_Memory     : in out URV.Shared_CORE_Memory.Board;
 
    with package Node is new URVOS.Bare_Nodes (<>);
    with procedure Begin_Start (Condition : Start_Condition);
 
-   with procedure AD_Interrupt;
+   --  See URV.ADINT_Handler.
+   with procedure Handle_Value (Value : Word; Channel : out Channel_Count);
 
    --  A clock tick of the boards that have a clock, and the output of the
    --  words that the tasks have written.

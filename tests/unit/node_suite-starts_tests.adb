@@ -20,6 +20,7 @@ with URVOS.Shared_Mailboxes;
 with URVOS.Start_Phases;
 with URVOS.Starts;
 with URVOS.Task_Trees;  use URVOS.Task_Trees;
+with URV.AD_Scans;
 with URV.Buffers;       use URV.Buffers;
 with Plain_Messages;
 with URV.Codecs;
@@ -521,14 +522,15 @@ package body Starts_Tests is
    procedure Converters is
       Wanted, Interrupt : Boolean;
       Channel           : Devices.AD_Board.Channel_Number;
+      Unused_Reached    : URV.AD_Scans.Channel_Count;
    begin
       for Condition in Condition_Name loop
          Fly_Before;
-         MCS.AD_Board.Start (9);
+         MCS.AD_Board.Begin_Scan (Unused_Reached);
          Begin_Again (Aircraft, Condition);
          MCS.AD_Board.Take_Start (Wanted, Channel);
          Expect (Condition'Image & ", a conversion is left", Wanted, False);
-         MCS.AD_Board.Start (9);
+         MCS.AD_Board.Begin_Scan (Unused_Reached);
          MCS.AD_Board.Take_Start (Wanted, Channel);
          MCS.AD_Board.Finish (0, Interrupt);
          Expect (Condition'Image & ", interrupt", Interrupt, True);

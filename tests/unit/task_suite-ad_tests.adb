@@ -2,7 +2,6 @@
 
 with Checks;           use Checks;
 with Devices.AD_Board; use Devices.AD_Board;
-with Devices.Shared_AD_Board;
 with Expect_Value;
 with Expectations;     use Expectations;
 with Task_Rig;         use Task_Rig;
@@ -10,6 +9,7 @@ with URVOS;            use URVOS;
 with URVOS.Frames;       use URVOS.Frames;
 with URVOS.Kernel_Calls; use URVOS.Kernel_Calls;
 with URVOS.Task_Trees; use URVOS.Task_Trees;
+with URV.AD_Boards;
 with URV.AD_Scans;     use URV.AD_Scans;
 with URV.AD_Task;
 with URV.ADINT_Handler;
@@ -37,13 +37,14 @@ package body AD_Tests is
    procedure Each_Start_Once;
    procedure Abandoned;
    procedure Not_Prepared;
+   procedure In_One_Call;
 
    procedure Expect is new Expect_Value (Next_Step);
    procedure Expect is new Expect_Value (Activity);
 
    --  The handler's and the task's surroundings
 
-   Board : Devices.Shared_AD_Board.Board;
+   Board : URV.AD_Boards.Board;
 
    ADINT_Variable : For_Sensor_Words.Variable;
    AD_Variable    : For_Sensor_Images.Variable;
@@ -201,13 +202,12 @@ package body AD_Tests is
    procedure Stray_Interrupt is
    begin
       Whole_Scan;
-      Board.Start (7);
-      Convert (16#ABC#);
+      Handler.Handle_Interrupt;
       Expect_No_Start ("after the scan");
       Words.Expect_Counts ("nothing more sent", ADINT_Variable, 1, 1);
       Expect_Errors
         ("after the scan", Errors, (1 => AD_Unexpected_Interrupt),
-         Detail => 16#ABC#);
+         Detail => 16#300# + 31);
    end Stray_Interrupt;
 
    procedure Broken_Off_Scan is
@@ -482,64 +482,123 @@ package body AD_Tests is
    end The_Board;
 
    procedure Each_Start_Once is
-      Hardware  : Devices.Shared_AD_Board.Board;
-      Wanted    : Boolean;
-      Interrupt : Boolean;
-      Number    : Channel_Number;
+      Hardware       : URV.AD_Boards.Board;
+      Unused_Reached : Channel_Count;
+      Wanted         : Boolean;
+      Interrupt      : Boolean;
+      Number         : Channel_Number;
+      Data           : Word;
+      Next           : Next_Step;
    begin
       Hardware.Take_Start (Wanted, Number);
       Expect ("at power up", Wanted, False);
       Hardware.Initialise;
-      Hardware.Start (9);
+      Hardware.Begin_Scan (Unused_Reached);
       Hardware.Take_Start (Wanted, Number);
       Expect ("wanted", Wanted, True);
-      Expect_Number ("channel", Integer (Number), 9);
+      Expect_Number ("channel", Integer (Number), 0);
       Hardware.Take_Start (Wanted, Number);
       Expect ("wanted again", Wanted, False);
       Hardware.Finish (16#DEF#, Interrupt);
       Expect ("interrupt", Interrupt, True);
-      Expect ("data", Hardware.Data, 16#DEF#);
+      Hardware.Take_Value (Data, Next);
+      Expect ("data", Data, 16#DEF#);
+      Expect ("next", Next, Start_Channel);
    end Each_Start_Once;
 
    procedure Abandoned is
-      Hardware  : Devices.Shared_AD_Board.Board;
+      Hardware  : URV.AD_Boards.Board;
+      Reached   : Channel_Count;
       Wanted    : Boolean;
       Interrupt : Boolean;
       Number    : Channel_Number;
+      Data      : Word;
+      Next      : Next_Step;
    begin
       Hardware.Initialise;
-      Hardware.Start (31);
+      Hardware.Begin_Scan (Reached);
       Hardware.Take_Start (Wanted, Number);
       Hardware.Finish (16#111#, Interrupt);
-      Expect ("interrupt of channel 31", Interrupt, True);
-
-      --  The next scan begins while the hardware is still at channel 31.
-      Hardware.Start (31);
+      Expect ("interrupt of channel 0", Interrupt, True);
+      Hardware.Take_Value (Data, Next);
       Hardware.Take_Start (Wanted, Number);
-      Hardware.Start (0);
+      Expect_Number ("channel", Integer (Number), 1);
+
+      --  The next scan begins while the hardware is still at channel 1.
+      Hardware.Begin_Scan (Reached);
+      Expect_Number ("reached", Integer (Reached), 1);
       Hardware.Finish (16#800#, Interrupt);
       Expect ("interrupt", Interrupt, False);
-      Expect ("data", Hardware.Data, 16#111#);
       Hardware.Take_Start (Wanted, Number);
       Expect ("channel 0 wanted", Wanted, True);
       Expect_Number ("channel", Integer (Number), 0);
       Hardware.Finish (16#222#, Interrupt);
       Expect ("interrupt of channel 0", Interrupt, True);
-      Expect ("data of channel 0", Hardware.Data, 16#222#);
+      Hardware.Take_Value (Data, Next);
+      Expect ("data of channel 0", Data, 16#222#);
+      Expect ("stored", Hardware.Words (0), 16#222#);
    end Abandoned;
 
    procedure Not_Prepared is
-      Hardware  : Devices.Shared_AD_Board.Board;
-      Wanted    : Boolean;
-      Interrupt : Boolean;
-      Number    : Channel_Number;
+      Hardware       : URV.AD_Boards.Board;
+      Unused_Reached : Channel_Count;
+      Wanted         : Boolean;
+      Interrupt      : Boolean;
+      Number         : Channel_Number;
    begin
-      Hardware.Start (5);
+      Hardware.Begin_Scan (Unused_Reached);
       Hardware.Take_Start (Wanted, Number);
       Hardware.Finish (16#111#, Interrupt);
       Expect ("interrupt", Interrupt, False);
-      Expect ("data", Hardware.Data, 16#111#);
    end Not_Prepared;
+
+   procedure In_One_Call is
+      Whole, Parts   : URV.AD_Boards.Board;
+      Unused_Reached : Channel_Count;
+      Wanted         : Boolean;
+      Interrupt      : Boolean;
+      Number         : Channel_Number;
+      Channel        : Channel_Count;
+      Next           : Next_Step;
+      Part           : Next_Step;
+      Unused_Data    : Word;
+
+      --  The board is prepared, or a scan begins, now and then.
+      procedure Prepare (Step : Natural);
+
+      procedure Prepare (Step : Natural) is
+      begin
+         if Step = 5 then
+            Whole.Initialise;
+            Parts.Initialise;
+         end if;
+         if Step mod 41 = 3 then
+            Whole.Begin_Scan (Unused_Reached);
+            Parts.Begin_Scan (Unused_Reached);
+         end if;
+         if Step mod 82 = 3 then
+            Whole.Take_Start (Wanted, Number);
+            Parts.Take_Start (Wanted, Number);
+         end if;
+      end Prepare;
+
+   begin
+      for Step in 0 .. 400 loop
+         Prepare (Step);
+         Whole.Pass_Value (Word (Step), Next, Channel);
+         Parts.Finish (Word (Step), Interrupt);
+         Part := Discard;
+         if Interrupt then
+            Parts.Take_Value (Unused_Data, Part);
+         end if;
+         Parts.Take_Start (Wanted, Number);
+         Expect ("next at" & Step'Image, Next, Part);
+         Expect_Number
+           ("channel at" & Step'Image, Integer (Channel),
+            (if Wanted then Integer (Number) else 32));
+         Expect ("words at" & Step'Image, Whole.Words = Parts.Words, True);
+      end loop;
+   end In_One_Call;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
@@ -584,6 +643,9 @@ package body AD_Tests is
       Add
         (Suite, "INI-5 an unprepared board does not interrupt",
          Not_Prepared'Access);
+      Add
+        (Suite, "ADI-1 a conversion's end in one call does the same",
+         In_One_Call'Access);
    end Add_To;
 
 end AD_Tests;

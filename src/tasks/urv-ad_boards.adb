@@ -1,0 +1,111 @@
+--  SPDX-License-Identifier: Apache-2.0
+
+package body URV.AD_Boards with SPARK_Mode is
+
+   --  The operations in place, for one call each or for all in one.
+
+   procedure Take_Value
+     (Contents : in out Registers;
+      Item     : in out Scan;
+      Next     : out Next_Step)
+   with Inline;
+
+   procedure Take_Start
+     (Contents : in out Registers;
+      Wanted   : out Boolean;
+      Channel  : out Channel_Number)
+   with Inline;
+
+   procedure Finish
+     (Contents  : in out Registers;
+      Value     : Word;
+      Interrupt : out Boolean)
+   with Inline;
+
+   procedure Take_Value
+     (Contents : in out Registers;
+      Item     : in out Scan;
+      Next     : out Next_Step) is
+   begin
+      Store (Item, Contents.Data, Next);
+      if Next = Start_Channel then
+         Start (Contents, Channel_Number (Item.Current));
+      end if;
+   end Take_Value;
+
+   procedure Take_Start
+     (Contents : in out Registers;
+      Wanted   : out Boolean;
+      Channel  : out Channel_Number) is
+   begin
+      Wanted := Contents.Doing = Start_Wanted;
+      Channel := Contents.Channel;
+      Begin_Conversion (Contents);
+   end Take_Start;
+
+   procedure Finish
+     (Contents  : in out Registers;
+      Value     : Word;
+      Interrupt : out Boolean) is
+   begin
+      Interrupt :=
+        Contents.Doing = Converting and then Contents.Interrupt_Enabled;
+      Finish (Contents, Value);
+   end Finish;
+
+   protected body Board is
+
+      procedure Initialise is
+      begin
+         Contents := Initialised (Contents);
+      end Initialise;
+
+      procedure Begin_Scan (Reached : out Channel_Count) is
+      begin
+         Reached := Item.Current;
+         Begin_Again (Item);
+         Devices.AD_Board.Start (Contents, 0);
+      end Begin_Scan;
+
+      procedure Take_Value (Value : out Word; Next : out Next_Step) is
+      begin
+         Value := Contents.Data;
+         Take_Value (Contents, Item, Next);
+      end Take_Value;
+
+      function Words return Channel_Words is (Item.Words);
+
+      procedure Take_Start
+        (Wanted  : out Boolean;
+         Channel : out Channel_Number) is
+      begin
+         Take_Start (Contents, Wanted, Channel);
+      end Take_Start;
+
+      procedure Finish (Value : Word; Interrupt : out Boolean) is
+      begin
+         Finish (Contents, Value, Interrupt);
+      end Finish;
+
+      procedure Pass_Value
+        (Value   : Word;
+         Next    : out Next_Step;
+         Channel : out Channel_Count)
+      is
+         Interrupt : Boolean;
+         Wanted    : Boolean;
+         Number    : Channel_Number;
+      begin
+         Finish (Contents, Value, Interrupt);
+         if Interrupt then
+            Take_Value (Contents, Item, Next);
+         else
+            Next := Discard;
+         end if;
+         Take_Start (Contents, Wanted, Number);
+         Channel := (if Wanted then Channel_Count (Number) else No_Channel);
+      end Pass_Value;
+
+   end Board;
+
+end URV.AD_Boards;
