@@ -149,7 +149,11 @@ def test_fti10_a_recorder_fetched_with_errors_of_1e3_is_complete(
         tmp_path, flight):
     line = flight(1e-3)
     aboard = await_rows(tmp_path / "aboard.recording", has_landed)
-    result = fetch(tmp_path, line)
+    # On a starved machine the link may be lost for a moment.
+    for _ in range(20):
+        result = fetch(tmp_path, line)
+        if "state is not known" not in result.stderr:
+            break
     assert result.returncode == 0, result.stderr
     assert line.wrong > 100
     fetched = recordings.Recording(tmp_path / "fetched.recording")
