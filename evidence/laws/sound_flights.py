@@ -2,20 +2,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Flights with sound servos, in which no surface may be reported (EXT-6).
 
-    evidence/laws/sound_flights.py [--flights N] [--seed N] [--jobs N] [--fresh]
+    evidence/laws/sound_flights.py [--flights N] [--seed N] [--jobs N]
 
 Each flight is drawn from its seed: the sticks (steps, doublets, sweeps, random
 telegraph, noise, to full travel), the modes of the control laws, how quick the
 servos are and how wide their dead band is, phase, schedule and processors; in
 some, cuts of the link and restarts. Nine of ten fly on the bench, one with
-JSBSim. Results are kept in obj/sound_flights.txt, so that a campaign that was
-interrupted goes on; they are of one program only, and --fresh drops them.
-Exit status 1 when a surface or the engine was reported.
+JSBSim. Exit status 1 when a surface or the engine was reported.
 """
 
 import argparse
 import csv
-import hashlib
 import itertools
 import json
 import math
@@ -30,10 +27,6 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
-RESULTS = ROOT / "obj" / "sound_flights.txt"
-FLOWN_BY = (PROGRAM, *sorted((ROOT / "sim" / "jsbsim").glob("*.py")),
-            ROOT / "sim" / "jsbsim" / "aircraft" / "lambda" / "lambda.xml",
-            Path(__file__).resolve())
 
 SECONDS, FRAME_MS = 20, 20
 FRAMES = SECONDS * 1000 // FRAME_MS
@@ -253,48 +246,16 @@ def flown(seed):
 
 # --- the campaign ------------------------------------------------------------
 
-def identity():
-    """A hash of everything that a result depends on."""
-    found = hashlib.sha256()
-    for path in FLOWN_BY:
-        found.update(path.read_bytes())
-    return found.hexdigest()
-
-
-class Results:
-    """Results of flights with this program, in a file."""
-
-    def __init__(self, path, is_fresh=False):
-        self.path, self.known = path, {}
-        begin = f"# {identity()}\n"
-        lines = []
-        if not is_fresh and path.is_file():
-            first, *lines = path.read_text("utf-8").splitlines(True) or [""]
-            # A flight whose line was cut off is flown again.
-            lines = [line for line in lines
-                     if first == begin and line.endswith("\n")]
-        for each in (Flown(*json.loads(line)) for line in lines):
-            self.known[each.seed] = each
-        path.parent.mkdir(exist_ok=True)
-        path.write_text("".join([begin, *lines]), encoding="utf-8")
-
-    def add(self, each):
-        self.known[each.seed] = each
-        with self.path.open("a", encoding="utf-8") as file:
-            file.write(json.dumps(each) + "\n")
-
-
-def campaign(seeds, jobs, results, say=lambda line: None):
+def campaign(seeds, jobs, say=lambda line: None):
     """Those of these flights in which something was reported."""
-    missing = [seed for seed in seeds if seed not in results.known]
+    found = []
     with ProcessPoolExecutor(jobs) as pool:
-        for count, each in enumerate(
-                pool.map(flown, missing, chunksize=4), 1):
-            results.add(each)
+        for count, each in enumerate(pool.map(flown, seeds, chunksize=4), 1):
+            if each.reported:
+                found.append(each)
             if count % 100 == 0:
-                say(f"{len(seeds) - len(missing) + count} of {len(seeds)}")
-    return [results.known[seed] for seed in seeds
-            if results.known[seed].reported]
+                say(f"{count} of {len(seeds)}")
+    return found
 
 
 def main():
@@ -303,12 +264,10 @@ def main():
     parser.add_argument("--seed", type=int, default=1,
                         help="of the first; the others follow")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--fresh", action="store_true",
-                        help="drop the results that there are")
     chosen = parser.parse_args()
     seeds = range(chosen.seed, chosen.seed + chosen.flights)
     found = campaign(
-        seeds, chosen.jobs, Results(RESULTS, chosen.fresh),
+        seeds, chosen.jobs,
         lambda line: print(f"sound flights: {line}", file=sys.stderr))
     for each in itertools.islice(found, 20):
         print(f"seed {each.seed}: {', '.join(each.reported)} reported at"

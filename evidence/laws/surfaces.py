@@ -227,8 +227,7 @@ def page(found, alarms, flights):
     return f"""# Failed surfaces
 
 `make -C evidence surfaces RENEW=--renew` writes this page. Its last section is
-written by `evidence/laws/surfaces.py --only-sound --sound 10000 --renew`, which
-continues where it was interrupted.
+written by `evidence/laws/surfaces.py --only-sound --sound 10000 --renew`.
 
 Each surface is stuck at {PLACES} places, from stop to stop, or floats, from
 {FAULT_MS // 1000} s of a flight of {SECONDS} s on. A case is flown if from then on
@@ -291,7 +290,6 @@ def sounded(jobs, number):
     """In how many flights with sound servos a surface was named."""
     return len(sound_flights.campaign(
         range(1, number + 1), jobs,
-        sound_flights.Results(sound_flights.RESULTS),
         lambda line: print(f"surfaces: sound flights {line}",
                            file=sys.stderr)))
 

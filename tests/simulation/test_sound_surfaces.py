@@ -133,23 +133,6 @@ def test_sim4_other_servos_are_refused(urv_sim, write, line, said):
 
 # --- the campaign's own -------------------------------------------------------
 
-def test_results_are_kept_unless_the_program_is_another(monkeypatch, tmp_path):
-    path = tmp_path / "results.txt"
-    monkeypatch.setattr(sound_flights, "identity", lambda: "one")
-    results = sound_flights.Results(path)
-    results.add(sound_flights.Flown(1, [], None))
-    results.add(sound_flights.Flown(2, ["throttle"], 40.0))
-    with path.open("a") as file:
-        file.write("[3, [")
-    kept = sound_flights.Results(path)
-    assert list(kept.known) == [1, 2]
-    assert kept.known[2].reported == ["throttle"]
-    kept.add(sound_flights.Flown(3, [], None))
-    assert list(sound_flights.Results(path).known) == [1, 2, 3]
-    monkeypatch.setattr(sound_flights, "identity", lambda: "another")
-    assert not sound_flights.Results(path).known
-
-
 def test_a_report_after_a_crash_is_none(tmp_path):
     path = tmp_path / "record.csv"
     titles = "time_ms,truth.altitude_ft,laws.failed\n"
