@@ -49,10 +49,10 @@ package body Host.Pilot.Flights is
    function Targets_In (Legs : Leg_List; Time : Microseconds) return Targets;
 
    --  The part of that change completed after some seconds.
-   function Changed (By, Seconds : Long_Float) return Long_Float is
+   function Changed (Change, Seconds : Long_Float) return Long_Float is
      (Long_Float'Max
         (-Climb_Per_Second * Seconds,
-         Long_Float'Min (Climb_Per_Second * Seconds, By)));
+         Long_Float'Min (Climb_Per_Second * Seconds, Change)));
 
    --  Most in the direction of a change, zero without one.
    function Towards (Change, Most : Long_Float) return Long_Float is

@@ -30,9 +30,9 @@ package body Host.Scaling is
          when Percent                => "%",
          when On_Off                 => "on");
 
-   function To_Word (Value : Long_Float; By : Scale) return Converter_Value
+   function To_Word (Value : Long_Float; Item : Scale) return Converter_Value
    is
-      Exact : constant Long_Float := (Value - By.At_0) / By.Per_Word;
+      Exact : constant Long_Float := (Value - Item.At_0) / Item.Per_Word;
    begin
       if Exact >= Long_Float (Converter_Value'Last) then
          return Converter_Value'Last;
@@ -100,14 +100,14 @@ package body Host.Scaling is
       --  With twelve decimals a value is exact to 1E-8 of its unit, and the
       --  zero of every scale is exactly a word.
       function Columns
-        (By : Scale; Limits : Limit_Set := Without_Limits) return String
+        (Item : Scale; Limits : Limit_Set := Without_Limits) return String
       is
-        (Symbol (By.Measured_In)
-         & ',' & Image (To_Unit (Converter_Value'First, By))
-         & ',' & Image (To_Unit (Converter_Value'Last, By))
+        (Symbol (Item.Measured_In)
+         & ',' & Image (To_Unit (Converter_Value'First, Item))
+         & ',' & Image (To_Unit (Converter_Value'Last, Item))
          & ',' & Columns (Limits)
-         & ',' & Image (By.Per_Word, Decimals => 12)
-         & ',' & Image (0.0 - By.At_0 / By.Per_Word));
+         & ',' & Image (Item.Per_Word, Decimals => 12)
+         & ',' & Image (0.0 - Item.At_0 / Item.Per_Word));
 
    begin
       Put_Line

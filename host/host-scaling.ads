@@ -31,12 +31,12 @@ package Host.Scaling is
    type Stick_Scales  is array (Command_Item) of Scale;
 
    --  Words beyond the converter's range are on the same line.
-   function To_Unit (Value : Word; By : Scale) return Long_Float is
-     (By.At_0 + By.Per_Word * Long_Float (Value));
+   function To_Unit (Value : Word; Item : Scale) return Long_Float is
+     (Item.At_0 + Item.Per_Word * Long_Float (Value));
 
    --  The nearest word; the first or last one for a value beyond the range,
    --  the first for not-a-number.
-   function To_Word (Value : Long_Float; By : Scale) return Converter_Value;
+   function To_Word (Value : Long_Float; Item : Scale) return Converter_Value;
 
    --  Prints every word of the three buffers and of the control laws, one a
    --  line, as CSV (GND-11):
