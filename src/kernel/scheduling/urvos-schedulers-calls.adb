@@ -2,6 +2,39 @@
 
 package body URVOS.Schedulers.Calls with SPARK_Mode is
 
+   --  The ready queue has one head.
+   procedure Prove_One_Head (S : Scheduler; One, Other : TCB_Count)
+   with
+     Ghost,
+     Global => null,
+     Pre    => Is_Head (S, Ready, One) and then Is_Head (S, Ready, Other),
+     Post   => One = Other;
+
+   --  The one of two TCBs that is ahead, if Head is one. It is out of the
+   --  loop, which is short and runs often.
+   function Better
+     (S : Scheduler; Head : TCB_Count; Which : TCB_Number) return TCB_Number
+   is
+     (if Head = No_TCB or else Is_Ahead (S, Which, Head) then Which else Head)
+   with
+     No_Inline,
+     Global => null;
+
+   --  Head_Of for the ready queue, quickly. Others_Wait: another TCB is
+   --  ready, too.
+   procedure Find_Ready
+     (S           : Scheduler;
+      Head        : out TCB_Count;
+      Others_Wait : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       Head = Head_Of (S, Ready)
+       and then
+         (if not Others_Wait
+          then (for all Which in TCB_Number =>
+                  (if Queue_Of (S, Which) = Ready then Which = Head)));
+
    --  Moves one TCB to the end.
    procedure Move_To_End (Turns : in out Turn_Table; Which : TCB_Number)
    with
@@ -26,6 +59,42 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
    with
      Pre  => S.TCBs (Which).Id /= No_Task,
      Post => S = Switched_To (S'Old, Which);
+
+   procedure Prove_One_Head (S : Scheduler; One, Other : TCB_Count) is
+   begin
+      if One /= No_TCB and then Other /= No_TCB and then One /= Other then
+         pragma Assert (Is_Ahead (S, One, Other));
+         pragma Assert (not Is_Ahead (S, Other, One));
+      end if;
+   end Prove_One_Head;
+
+   procedure Find_Ready
+     (S           : Scheduler;
+      Head        : out TCB_Count;
+      Others_Wait : out Boolean) is
+   begin
+      Head := No_TCB;
+      Others_Wait := False;
+      for Which in TCB_Number loop
+         pragma Assert
+           (for all Other in TCB_Number =>
+              (if Other /= Which
+               then Is_Ahead (S, Other, Which) /= Is_Ahead (S, Which, Other)));
+         if S.TCBs (Which).Id /= No_Task
+           and then S.TCBs (Which).Ready_At <= S.Clock
+           and then Which /= S.Running
+         then
+            Others_Wait := Head /= No_TCB;
+            Head := Better (S, Head, Which);
+         end if;
+         pragma Loop_Invariant (Is_Head (S, Ready, Head, Which));
+         pragma Loop_Invariant
+           (if not Others_Wait
+            then (for all Place in 1 .. Which =>
+                    (if Queue_Of (S, Place) = Ready then Place = Head)));
+      end loop;
+      Prove_One_Head (S, Head, Head_Of (S, Ready));
+   end Find_Ready;
 
    procedure Move_To_End (Turns : in out Turn_Table; Which : TCB_Number) is
       --  Without the predicate, which does not hold in the loop.

@@ -5,6 +5,11 @@
 
 package URVOS.Schedulers.Calls with Pure, SPARK_Mode is
 
+   --  No task besides the running one is ready.
+   function Is_Alone (S : Scheduler) return Boolean is
+     (for all Which in TCB_Number => Queue_Of (S, Which) /= Ready)
+   with Global => null;
+
    --  Loads the tasks of a tree and runs the first task.
    procedure Start (S : out Scheduler; Tree : Task_Tree; Now : Clock_Tick)
    with

@@ -120,11 +120,6 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
      Global => null,
      Post   => Is_Head (S, Queue, Head_Of'Result);
 
-   --  No task besides the running one is ready.
-   function Is_Alone (S : Scheduler) return Boolean is
-     (for all Which in TCB_Number => Queue_Of (S, Which) /= Ready)
-   with Global => null;
-
    function Has_Free_TCB (S : Scheduler) return Boolean is
      (Head_Of (S, Free) /= No_TCB)
    with Global => null;
@@ -243,21 +238,6 @@ private
    function Came_First
      (S : Scheduler; First, Other : TCB_Number) return Boolean
    is (S.Turns (First) < S.Turns (Other));
-
-   --  Head_Of for the ready queue, quickly. Others_Wait: another TCB is
-   --  ready, too.
-   procedure Find_Ready
-     (S           : Scheduler;
-      Head        : out TCB_Count;
-      Others_Wait : out Boolean)
-   with
-     Global => null,
-     Post   =>
-       Head = Head_Of (S, Ready)
-       and then
-         (if not Others_Wait
-          then (for all Which in TCB_Number =>
-                  (if Queue_Of (S, Which) = Ready then Which = Head)));
 
    --  Moves one TCB to the end; those after it move up by one.
    function With_Last
