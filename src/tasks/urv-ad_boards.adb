@@ -8,19 +8,64 @@ package body URV.AD_Boards with SPARK_Mode is
      (Contents : in out Registers;
       Item     : in out Scan;
       Next     : out Next_Step)
-   with Inline;
+   with
+     Inline,
+     Post =>
+       Contents =
+         (if Next = Start_Channel
+          then Started (Contents'Old, Channel_Number (Item.Current))
+          else Contents'Old)
+       and then
+         (if Is_Complete (Item'Old)
+          then Next = Ignore and then Item = Item'Old
+          else Item.Current = Item'Old.Current + 1
+            and then Item.Words =
+              (Item'Old.Words with delta
+                 Channel (Item'Old.Current) => Contents'Old.Data)
+            and then Next =
+              (if Is_Complete (Item) then Send_Words else Start_Channel));
 
    procedure Take_Start
      (Contents : in out Registers;
       Wanted   : out Boolean;
       Channel  : out Channel_Number)
-   with Inline;
+   with
+     Inline,
+     Post =>
+       Wanted = (Contents'Old.Doing = Start_Wanted)
+       and then Channel = Contents'Old.Channel
+       and then Contents = Begun (Contents'Old);
 
    procedure Finish
      (Contents  : in out Registers;
       Value     : Word;
       Interrupt : out Boolean)
-   with Inline;
+   with
+     Inline,
+     Post =>
+       Interrupt =
+         (Contents'Old.Doing = Converting
+          and then Contents'Old.Interrupt_Enabled)
+       and then Contents = Finished (Contents'Old, Value);
+
+   --  A value for an abandoned conversion changes no scan. A scan that goes on
+   --  has its next channel converted.
+   procedure Pass_Value
+     (Contents : in out Registers;
+      Item     : in out Scan;
+      Value    : Word;
+      Next     : out Next_Step;
+      Channel  : out Channel_Count)
+   with
+     Inline,
+     Post =>
+       Contents.Doing /= Start_Wanted
+       and then
+         (if Contents'Old.Doing /= Converting
+          then Next = Discard and then Item = Item'Old)
+       and then
+         (if Next = Start_Channel
+          then Channel = Item.Current and then Channel /= No_Channel);
 
    procedure Take_Value
      (Contents : in out Registers;
@@ -52,6 +97,27 @@ package body URV.AD_Boards with SPARK_Mode is
         Contents.Doing = Converting and then Contents.Interrupt_Enabled;
       Finish (Contents, Value);
    end Finish;
+
+   procedure Pass_Value
+     (Contents : in out Registers;
+      Item     : in out Scan;
+      Value    : Word;
+      Next     : out Next_Step;
+      Channel  : out Channel_Count)
+   is
+      Interrupt : Boolean;
+      Wanted    : Boolean;
+      Number    : Channel_Number;
+   begin
+      Finish (Contents, Value, Interrupt);
+      if Interrupt then
+         Take_Value (Contents, Item, Next);
+      else
+         Next := Discard;
+      end if;
+      Take_Start (Contents, Wanted, Number);
+      Channel := (if Wanted then Channel_Count (Number) else No_Channel);
+   end Pass_Value;
 
    protected body Board is
 
@@ -90,20 +156,9 @@ package body URV.AD_Boards with SPARK_Mode is
       procedure Pass_Value
         (Value   : Word;
          Next    : out Next_Step;
-         Channel : out Channel_Count)
-      is
-         Interrupt : Boolean;
-         Wanted    : Boolean;
-         Number    : Channel_Number;
+         Channel : out Channel_Count) is
       begin
-         Finish (Contents, Value, Interrupt);
-         if Interrupt then
-            Take_Value (Contents, Item, Next);
-         else
-            Next := Discard;
-         end if;
-         Take_Start (Contents, Wanted, Number);
-         Channel := (if Wanted then Channel_Count (Number) else No_Channel);
+         Pass_Value (Contents, Item, Value, Next, Channel);
       end Pass_Value;
 
    end Board;
