@@ -370,8 +370,8 @@ PARTS = {
 }
 
 # Each of these lanes runs beside the other parts, its own in this order.
-LANES = (("ground station, live", "real time"),
-         ("likely changes", "simulation"))
+LANES = (("ground station, live", "real time", "simulation"),
+         ("likely changes",))
 
 QUICK_PARTS = {
     **{name: PARTS[name] for name in PARTS
