@@ -565,6 +565,7 @@ def test_fti13_the_panel_of_the_recorder(station, pages):
     page.locator("#fetch").click()
     page.locator("#recorder_missing.caution",
                  has_text="2170: their sums are wrong aboard").wait_for()
+    page.locator("#recorder_state", has_text="rows are missing: 1").wait_for()
     page.locator("#recorder_fetched", has_text="49 of 50 rows, 98 %"
                  ).wait_for()
     # A watcher sees it, and cannot fetch.

@@ -64,7 +64,7 @@ export class Recorder {
         + (recorder.rate > 0 ? `, ${duration(left / recorder.rate)} left`
           : "")],
       complete: ["taken", "\u2713 complete"],
-      gaps: ["caution", `\u25c6 ${left} rows are missing`],
+      gaps: ["caution", `\u25c6 rows are missing: ${left}`],
       stopped: ["", "stopped; fetch goes on with the rest"],
       failed: ["caution", `\u25c6 ${recorder.text}`] };
     const [kind, text] = !there ? ["caution", "station lost: not known"]
