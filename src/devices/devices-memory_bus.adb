@@ -34,27 +34,15 @@ is
      Global        => null;
 
    procedure Read_ROM
-     (Board : Board_Number;
-      Where : Byte_Address;
-      Data  : out Byte) is
-   begin
-      Read_Host_ROM (Board, Where, Data);
-   end Read_ROM;
+     (Board : Board_Number; Where : Byte_Address; Data : out Byte)
+     renames Read_Host_ROM;
 
    procedure Read_RAM
-     (Board : Board_Number;
-      Where : Word_Address;
-      Data  : out Word) is
-   begin
-      Read_Host_RAM (Board, Where, Data);
-   end Read_RAM;
+     (Board : Board_Number; Where : Word_Address; Data : out Word)
+     renames Read_Host_RAM;
 
    procedure Write_RAM
-     (Board : Board_Number;
-      Where : Word_Address;
-      Data  : Word) is
-   begin
-      Write_Host_RAM (Board, Where, Data);
-   end Write_RAM;
+     (Board : Board_Number; Where : Word_Address; Data : Word)
+     renames Write_Host_RAM;
 
 end Devices.Memory_Bus;

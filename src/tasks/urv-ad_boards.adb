@@ -4,6 +4,17 @@ package body URV.AD_Boards with SPARK_Mode is
 
    --  The operations in place, for one call each or for all in one.
 
+   procedure Begin_Scan
+     (Contents : in out Registers;
+      Item     : in out Scan;
+      Reached  : out Channel_Count)
+   with
+     Inline,
+     Post =>
+       Reached = Item'Old.Current
+       and then Item = Restarted (Item'Old)
+       and then Contents = Started (Contents'Old, Channel_Number'(0));
+
    procedure Take_Value
      (Contents : in out Registers;
       Item     : in out Scan;
@@ -48,8 +59,9 @@ package body URV.AD_Boards with SPARK_Mode is
           and then Contents'Old.Interrupt_Enabled)
        and then Contents = Finished (Contents'Old, Value);
 
-   --  A value for an abandoned conversion changes no scan. A scan that goes on
-   --  has its next channel converted.
+   --  A value for an abandoned conversion changes no scan. Otherwise it is the
+   --  word of the scan's channel, and a scan that goes on has its next channel
+   --  converted.
    procedure Pass_Value
      (Contents : in out Registers;
       Item     : in out Scan;
@@ -59,13 +71,34 @@ package body URV.AD_Boards with SPARK_Mode is
    with
      Inline,
      Post =>
-       Contents.Doing /= Start_Wanted
-       and then
-         (if Contents'Old.Doing /= Converting
-          then Next = Discard and then Item = Item'Old)
-       and then
-         (if Next = Start_Channel
-          then Channel = Item.Current and then Channel /= No_Channel);
+       (if Contents'Old.Doing = Converting
+          and then Contents'Old.Interrupt_Enabled
+        then
+          (if Is_Complete (Item'Old)
+           then Next = Ignore and then Item = Item'Old
+           else Item.Current = Item'Old.Current + 1
+             and then Item.Words =
+               (Item'Old.Words with delta
+                  Buffers.Channel (Item'Old.Current) => Value)
+             and then Next =
+               (if Is_Complete (Item) then Send_Words else Start_Channel))
+        else Next = Discard and then Item = Item'Old)
+       and then Contents.Doing /= Start_Wanted
+       and then Channel =
+         (if Next = Start_Channel then Item.Current
+          elsif Contents'Old.Doing = Start_Wanted
+          then Channel_Count (Contents'Old.Channel)
+          else No_Channel);
+
+   procedure Begin_Scan
+     (Contents : in out Registers;
+      Item     : in out Scan;
+      Reached  : out Channel_Count) is
+   begin
+      Reached := Item.Current;
+      Begin_Again (Item);
+      Devices.AD_Board.Start (Contents, 0);
+   end Begin_Scan;
 
    procedure Take_Value
      (Contents : in out Registers;
@@ -128,9 +161,7 @@ package body URV.AD_Boards with SPARK_Mode is
 
       procedure Begin_Scan (Reached : out Channel_Count) is
       begin
-         Reached := Item.Current;
-         Begin_Again (Item);
-         Devices.AD_Board.Start (Contents, 0);
+         Begin_Scan (Contents, Item, Reached);
       end Begin_Scan;
 
       procedure Take_Value (Value : out Word; Next : out Next_Step) is

@@ -10,8 +10,8 @@ with URVOS.RAM_Tests;
 
 package body Power_Up_Tests is
 
-   procedure Run (First, Behind : System.Address) is
-      Last : constant Word_Address := Word_Address ((Behind - First) / 2 - 1);
+   procedure Run (First, After : System.Address) is
+      Last : constant Word_Address := Word_Address ((After - First) / 2 - 1);
 
       RAM : array (0 .. Last) of Word
       with Volatile, Import, Address => First;

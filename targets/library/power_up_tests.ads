@@ -9,9 +9,9 @@ with System;
 
 package Power_Up_Tests is
 
-   --  Tests all words from First to the one before Behind, and leaves zeros.
+   --  Tests all words from First to the one before After, and leaves zeros.
    --  If one is faulty, it says so on the console, and the processor stops.
-   procedure Run (First, Behind : System.Address)
+   procedure Run (First, After : System.Address)
    with Export, Convention => C, External_Name => "urv_test_ram";
 
 end Power_Up_Tests;

@@ -1,10 +1,12 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URVOS.Image_Sums;      use URVOS.Image_Sums;
 with URVOS.Processor_Tests; use URVOS.Processor_Tests;
 with URVOS.RAM_Tests;
+with URVOS.ROM_Checks;
 
 package body URVOS.Start_Tests with SPARK_Mode is
+
+   package ROM_Check is new URVOS.ROM_Checks (Last_Byte);
 
    package RAM_Test is new URVOS.RAM_Tests
      (Last  => Last_Word,
@@ -15,14 +17,21 @@ package body URVOS.Start_Tests with SPARK_Mode is
    procedure Test_ROM (Good : out Boolean);
 
    procedure Test_ROM (Good : out Boolean) is
-      Register : Sum := First_Value;
-      Data     : Byte;
+      use type ROM_Check.Outcome_Kind;
+      State   : ROM_Check.Check := ROM_Check.New_Check;
+      Outcome : ROM_Check.Outcome_Kind;
+      Data    : Byte;
    begin
       for Where in 0 .. Last_Byte loop
          Read_ROM (Where, Data);
-         Register := Next (Register, Data);
+         ROM_Check.Take_Byte (State, Data, Outcome);
+         pragma Loop_Invariant
+           (if Where < Last_Byte
+            then State.Position = Where + 1
+              and then Outcome = ROM_Check.Under_Way);
       end loop;
-      Good := Register = Good_Image;
+      pragma Unreferenced (State);
+      Good := Outcome = ROM_Check.Found_Good;
    end Test_ROM;
 
    procedure Run (Condition : Start_Condition; Result : out Test_Result) is

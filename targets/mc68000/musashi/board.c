@@ -6,10 +6,11 @@
 
      board MHZ OUTPUT NODE ROM TELEMETRY_ROM TAPE [NODE ROM TELEMETRY_ROM TAPE]
 
-   With a file OUTPUT/NODE.stuck, "hexadecimal address and bits", these bits of a
-   byte in the controller's RAM always read as 0. With a file OUTPUT/NODE.places, each line "hexadecimal address name", it also
+   With a file OUTPUT/NODE.places, each line "hexadecimal address name", it also
    counts the cycles of the calls of these subprograms, without the interrupts
-   and the other subprograms of the file that they contain.
+   and the other subprograms of the file that they contain. With a file
+   OUTPUT/NODE.stuck, "address bits", both hexadecimal, these bits of a byte in
+   the controller's RAM always read as 0.
 
    Memory of a board:
 
