@@ -38,6 +38,10 @@ RADIO = FRAMES_PER_S
 # While the link is lost, the report is repeated with this period in frames.
 LOST = 10 * FRAMES_PER_S
 
+# The longest wait for a packet. A signal that comes just before a wait does not
+# end it.
+LOOKS_S = 1.0
+
 SYSTEM_ID = 1
 COMPONENT_ID = 1
 
@@ -92,17 +96,22 @@ def mavlink(
         raise faults.Refused(
             f"--listen {faults.quoted(listen)}: not this machine's loopback")
     receiver = station.bound(socket.SOCK_DGRAM, *here, "--listen")
-    receiver.setblocking(True)
+    receiver.settimeout(LOOKS_S)
     receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
     bridge = Bridge(Sender(there))
     terminal = outputs.Terminal()
-    terminal.say(f"mavlink: from udp:{here[0]}:{receiver.getsockname()[1]}"
-                 f" to udp:{there[0]}:{there[1]}")
-    if not web.is_loopback(there[0]):
-        terminal.say("mavlink: whoever is on that network can read it")
     try:
+        terminal.say(
+            f"mavlink: from udp:{here[0]}:{receiver.getsockname()[1]}"
+            f" to udp:{there[0]}:{there[1]}")
+        if not web.is_loopback(there[0]):
+            terminal.say("mavlink: whoever is on that network can read it")
         while True:
-            bridge.datagram(*receiver.recvfrom(4096))
+            try:
+                packet = receiver.recvfrom(4096)
+            except TimeoutError:
+                continue
+            bridge.datagram(*packet)
     except KeyboardInterrupt:
         terminal.say(
             f"mavlink: {bridge.frames} frames, {bridge.missing} missing,"

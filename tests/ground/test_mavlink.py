@@ -4,6 +4,7 @@ it. The frames are those of the standard flight's record, sent as fast as the
 client takes them: rates are counted in frames."""
 
 import csv
+import ctypes
 import math
 import os
 import random
@@ -12,6 +13,7 @@ import socket
 import subprocess
 import time
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from conftest import TIME_LIMIT_S, URV
@@ -648,6 +650,22 @@ def test_gnd40_missing_and_old_frames_are_counted(rows, bridge, sent):
     assert (bridge.frames, bridge.missing, bridge.bad) == (4, 2, 2)
     assert [message.time_boot_ms for message
             in sent.take("ATTITUDE")] == [0, 80]
+
+
+def test_gnd40_a_signal_that_interrupts_no_wait_ends_it(client):
+    """As one that comes just before a wait. No packet comes, either."""
+    main = client.program.pid
+    tasks = Path(f"/proc/{main}/task")
+    deadline = time.monotonic() + TIME_LIMIT_S
+    while " S " not in (tasks / str(main) / "stat").read_text():
+        assert time.monotonic() < deadline, "it does not wait"
+        time.sleep(0.01)
+    other = next(int(task.name) for task in tasks.iterdir()
+                 if task.name != str(main))
+    assert ctypes.CDLL(None).tgkill(main, other, signal.SIGINT) == 0
+    out, err = client.program.communicate(timeout=TIME_LIMIT_S)
+    assert (client.program.returncode, err) == (0, "")
+    assert "mavlink: 0 frames" in out
 
 
 def test_gnd40_garbage_is_counted_and_harms_nothing(rows, client):
