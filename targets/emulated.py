@@ -13,9 +13,9 @@ depend on the computer (D-82, D-83). docs/board.md says more.
 import contextlib
 import csv
 import random
+import socket
 import struct
 import subprocess
-import time
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -206,26 +206,26 @@ class CortexM(Machine):
         return ["qemu-system-arm", "-M", "netduinoplus2", "-semihosting",
                 "-icount", f"shift={ICOUNT_SHIFT},align=off,sleep=off",
                 "-display", "none", "-monitor", "none",
-                "-serial", f"file:{console}", "-serial", line,
+                "-chardev", f"{line},id=line",
+                "-serial", f"file:{console}", "-serial", "chardev:line",
                 "-kernel", str(image), "-device",
                 f"loader,file={tape},addr={TAPE_ADDRESS:#x},force-raw=on"]
 
     def start(self, names, folder, images, stack):
-        line = folder / "line"
-        for number, name in enumerate(names):
-            end = "null" if len(names) == 1 else f"unix:{line}" + (
-                ",server=on,wait=on" if number == 0 else "")
+        # Both ends are open here until both emulators have ended: at a closed
+        # line QEMU loses the characters that it has not read.
+        ends = socket.socketpair() if len(names) == 2 else [None]
+        for end in filter(None, ends):
+            stack.enter_context(end)
+        for name, end in zip(names, ends, strict=True):
             running = subprocess.Popen(
                 self.command(self.image(name, images), folder / f"{name}.tape",
-                             folder / f"{name}.txt", end),
+                             folder / f"{name}.txt",
+                             f"socket,fd={end.fileno()}" if end else "null"),
+                pass_fds=[end.fileno()] if end else [],
                 stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                 stderr=(folder / f"{name}.err").open("w"))
             stack.callback(stop, running)
-            if number == 0 and len(names) > 1:
-                while not line.exists():
-                    if running.poll() is not None:
-                        raise RuntimeError("QEMU has not begun")
-                    time.sleep(0.01)
             yield running
 
 

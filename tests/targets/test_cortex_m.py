@@ -2,6 +2,8 @@
 """BRD-1, BRD-2, BRD-3: both nodes on a bare Cortex-M4, in QEMU, beside the
 simulation of the same flight."""
 
+import time
+
 import pytest
 
 import bare
@@ -22,6 +24,20 @@ def built():
 @pytest.mark.parametrize("laws", [False, True], ids=["direct", "laws"])
 def test_brd1_each_frame_has_the_words_of_the_simulation(tmp_path, laws):
     bare.flies_like_the_simulation(MACHINE, tmp_path, laws)
+
+
+def test_brd1_a_node_that_starts_later_loses_no_character(
+        tmp_path, monkeypatch):
+    start = MACHINE.start
+
+    def late(*given):
+        for node in start(*given):
+            yield node
+            time.sleep(2)
+
+    monkeypatch.setattr(MACHINE, "start", late)
+    rows, runs = MACHINE.fly_both(tmp_path, 1, laws=False)
+    assert list(emulated.differences(rows, runs)) == []
 
 
 def test_brd1_a_difference_is_found(tmp_path):

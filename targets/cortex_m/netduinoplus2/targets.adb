@@ -129,6 +129,10 @@ package body Targets is
    procedure Put_On (Port : Port_Name; Data : Byte);
    function Take_From_Line return Unsigned_32;
 
+   --  Waits until the other node's emulator listens. QEMU drops a character
+   --  that comes before the port is set up.
+   procedure Join;
+
    --  Exchanges the characters at the end of a quantum.
    procedure Exchange;
 
@@ -196,6 +200,9 @@ package body Targets is
    begin
       if not Has_Begun then
          Has_Begun := True;
+         if Tape.Quantum > 0 then
+            Join;
+         end if;
          Then_Time := Next_Event (0);
       end if;
       SysTick.Reload := Register
@@ -234,6 +241,29 @@ package body Targets is
       Restore (Before);
       return Unsigned_32 (Result.Data);
    end Take_From_Line;
+
+   --  Each node calls until it hears the other, and then answers once. It has
+   --  heard the answer: the other has heard it, and its next byte is data.
+   procedure Join is
+      Call   : constant Byte := 16#C0#;
+      Answer : constant Byte := 16#A0#;
+      Result : Reception;
+      Last   : Unsigned_32;
+   begin
+      loop
+         Put_On (Line, Call);
+         for Look in 1 .. 10_000 loop
+            Receive (Line, Errors, Result);
+            exit when Result.Is_There;
+         end loop;
+         exit when Result.Is_There;
+      end loop;
+      Put_On (Line, Answer);
+      Last := Unsigned_32 (Result.Data);
+      while Last /= Unsigned_32 (Answer) loop
+         Last := Take_From_Line;
+      end loop;
+   end Join;
 
    --  The first byte has a bit for each character sent. The characters follow.
    procedure Exchange is
