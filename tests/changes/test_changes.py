@@ -153,24 +153,37 @@ class Change:
 
 
 @pytest.fixture(scope="module")
-def sensor():
-    return Change("sensor")
+def three():
+    """Three changes of other files of the product: one copy has them all, and
+    is built once."""
+    sensor = Change("sensor")
+    changes = [sensor, Change("climb-rate", beside=sensor),
+               Change("task", beside=sensor)]
+    touched = [name for each in changes for name in each.files()["product"]]
+    assert len(touched) == len(set(touched))
+    sensor.expect_built_and_tested()
+    return changes
 
 
 @pytest.fixture(scope="module")
-def climb_rate(sensor):
-    """It concerns no line of the sensor's: one copy is built for both."""
-    return Change("climb-rate", beside=sensor)
+def sensor(three):
+    return three[0]
 
 
-def test_one_more_sensor_word(sensor, climb_rate):
-    """It comes down from the plant to CORE of the ground. The copy has one
-    more control law, too."""
+@pytest.fixture(scope="module")
+def climb_rate(three):
+    return three[1]
+
+
+@pytest.fixture(scope="module")
+def task(three):
+    return three[2]
+
+
+def test_one_more_sensor_word(sensor):
+    """It comes down from the plant to CORE of the ground."""
     change = sensor
     change.expect_cost()
-    assert not set(change.files()["product"]) & set(
-        climb_rate.files()["product"])
-    change.expect_built_and_tested()
     expect_partitions_flown(change)
     rows, _ = change.fly_aircraft()
     # 15 degrees, less a little for the height, of 0.05 each from 0800h.
@@ -257,15 +270,9 @@ def test_words_are_read_by_rule():
     assert read == []
 
 
-@pytest.fixture(scope="module")
-def task():
-    return Change("task")
-
-
 def test_one_more_task(task):
     """It reports to the ground the words that it sees in CORE."""
     task.expect_cost()
-    task.expect_built_and_tested()
     tables = task.run(sys.executable, "-B", "-m", "pytest", "-q",
                       "tests/simulation/test_interface_tables.py")
     assert tables.returncode == 0, tables.stdout
@@ -309,12 +316,9 @@ def test_no_other_task_writes_what_a_new_one_writes(task):
 
 def test_one_more_control_law(climb_rate):
     """EVI-12: behind a switch the pitch stick commands a climb rate. The
-    other modes fly as they are. The test of the sensor has built the copy and
-    run its unit tests."""
+    other modes fly as they are."""
     change = climb_rate
     change.expect_cost()
-    result = change.build("sim/urv_sim.gpr")
-    assert result.returncode == 0, result.stdout + result.stderr
     tables = json.loads(change.run("bin/urv_sim", "tables").stdout)
     assert tables["vertical"][-1] == "climb by stick"
     (change.copy / "sticks.csv").write_text(
