@@ -31,6 +31,12 @@ TIMING_S = 0.002
 beta, of accelerations, and of the moments after their causes are known. Flight
 data cannot separate them well from what a model lacks."""
 
+SPIN = "propellers' spin"
+SPIN_PER_S = 0.5
+"""Angular momentum of all propellers, over the inertia in pitch: a parameter, and
+its standard deviation before the flight. It turns pitch into yaw and yaw into
+pitch."""
+
 LEAST_ERROR = {"airspeed": 1e-3, "alpha": 1e-5}
 """Least deviations of constant errors, ft/s and rad."""
 
@@ -70,6 +76,7 @@ class Airframe:
             *(Parameter(f"{name}_0", SEGMENT, 0.0, 0.01 * self.sizes_of[name])
               for name in self.coefficients),
             *self.errors,
+            Parameter(SPIN, RECORD, 0.0, 0.01, prior=(0.0, SPIN_PER_S)),
             Parameter("airspeed error", RECORD, 0.0, 0.5, is_input=True,
                       is_considered=True),
             Parameter("surfaces' delay", RECORD, 0.0, 0.002, is_input=True,
@@ -215,7 +222,8 @@ class Longitudinal(Airframe):
                 numpy.cos(phi) * numpy.cos(theta) * cos
                 + numpy.sin(theta) * sin)) / (speed * numpy.cos(beta)),
             moment + ((own.izz - own.ixx) * p * r
-                      + own.ixz * (r * r - p * p)) / own.iyy,
+                      + own.ixz * (r * r - p * p)) / own.iyy
+            - values[self.place[SPIN]] * r,
             q * numpy.cos(phi) - r * numpy.sin(phi)])
 
     def outputs_of(self, states, inputs, values):
@@ -227,7 +235,8 @@ class Longitudinal(Airframe):
                             force + values[self.place["error of az"]]])
 
     def equations(self, segment: Segment, smooth, slope):
-        """Left sides by coefficient, and the regressors."""
+        """Left sides by coefficient, the regressors of all, and that of the
+        propellers' spin by coefficient."""
         own = self.aircraft
         pressure, speed = self.pressure_and_speed(segment)
         p, q, r = (smooth(segment[name]) for name in "pqr")
@@ -241,7 +250,8 @@ class Longitudinal(Airframe):
                         q * own.chord / (2.0 * speed),
                         smooth(segment["elevator"]),
                         smooth(segment["airspeed"])
-                        / segment["airspeed"].mean() - 1.0])
+                        / segment["airspeed"].mean() - 1.0]), {
+            "Cm": -own.iyy * r / (area * own.chord)}
 
 
 class Lateral(Airframe):
@@ -253,13 +263,13 @@ class Lateral(Airframe):
     turning = (1, 2)
     sizes = (0.2 * DEG, 1.0 * DEG, 0.5 * DEG, 0.5 * DEG)
     coefficients = ("CY", "Cl", "Cn")
-    variables = ("beta", "p", "r", "aileron", "rudder")
+    variables = ("beta", "p", "r", "aileron", "rudder", "speed")
     surfaces = ("aileron", "rudder")
-    by_speed = False
+    by_speed = True
     kinematic = ("q", "alpha", "theta", "ax", "az")
     sizes_of = {"CY": 0.03, "Cl": 0.01, "Cn": 0.005, "beta": 3.0 * DEG,
                 "p": 0.02, "r": 0.01, "aileron": 3.0 * DEG,
-                "rudder": 3.0 * DEG}
+                "rudder": 3.0 * DEG, "speed": 0.5}
     errors = (Parameter("error of p", RECORD, 0.0, 0.2 * DEG,
                         prior=(0.0, 2.0 * DEG)),
               Parameter("error of r", RECORD, 0.0, 0.1 * DEG,
@@ -278,9 +288,9 @@ class Lateral(Airframe):
         """Specific force along y, and the moments in roll and yaw."""
         own = self.aircraft
         beta, p, r = states[:3]
-        speed, pressure, aileron, rudder = inputs[5:9]
+        speed, pressure, aileron, rudder, change = inputs[5:10]
         per = own.span / (2.0 * speed)
-        regressors = (beta, p * per, r * per, aileron, rudder)
+        regressors = (beta, p * per, r * per, aileron, rudder, change)
         area = pressure * own.wing_area
         return (area / own.mass * self.coefficient("CY", regressors, values),
                 area * own.span * self.coefficient("Cl", regressors, values),
@@ -295,7 +305,8 @@ class Lateral(Airframe):
         sin, cos = numpy.sin(alpha), numpy.cos(alpha)
         cos_theta = numpy.cos(theta)
         roll = roll + (own.iyy - own.izz) * q * r + own.ixz * p * q
-        yaw = yaw + (own.ixx - own.iyy) * p * q - own.ixz * q * r
+        yaw = (yaw + (own.ixx - own.iyy) * p * q - own.ixz * q * r
+               + values[self.place[SPIN]] * own.iyy * q)
         both = own.ixx * own.izz - own.ixz ** 2
         return numpy.array([
             p * sin - r * cos + (
@@ -318,7 +329,8 @@ class Lateral(Airframe):
             r + values[self.place["error of r"]], phi, force])
 
     def equations(self, segment: Segment, smooth, slope):
-        """Left sides by coefficient, and the regressors."""
+        """Left sides by coefficient, the regressors of all, and that of the
+        propellers' spin by coefficient."""
         own = self.aircraft
         pressure, speed = self.pressure_and_speed(segment)
         p, q, r = (smooth(segment[name]) for name in "pqr")
@@ -333,7 +345,10 @@ class Lateral(Airframe):
                    - (own.ixx - own.iyy) * p * q) / (area * own.span),
         }, numpy.array([smooth(segment["beta"]), p * per, r * per,
                         smooth(segment["aileron"]),
-                        smooth(segment["rudder"])])
+                        smooth(segment["rudder"]),
+                        smooth(segment["airspeed"])
+                        / segment["airspeed"].mean() - 1.0]), {
+            "Cn": own.iyy * q / (area * own.span)}
 
 
 AXES = (Longitudinal, Lateral)

@@ -49,6 +49,9 @@ class Derivative:
     is_determined: bool
     reason: str = ""
     """Why the data do not determine it."""
+    noise_half_width: float = numpy.nan
+    """Half of the interval by the residuals alone: without delays and errors of
+    sensors, and without the difference of both methods."""
 
 
 @dataclass
@@ -205,7 +208,7 @@ def derivative(name, airframe, start, fit) -> Derivative:
     return Derivative(
         name, value, value - half, value + half,
         FACTOR * fit.white_deviations[name], start.values[name], prior,
-        determined, reason)
+        determined, reason, FACTOR * fit.noise_deviations[name])
 
 
 def keep(flown, airframe, outputs, residuals):

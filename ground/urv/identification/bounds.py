@@ -20,7 +20,8 @@ weighted by Bartlett's window, so that no variance is below zero."""
 
 def covariances(slopes, residuals, priors=(), considered=None,
                 gradients=()):
-    """The covariance for coloured residuals, and that for white ones.
+    """The covariance for coloured residuals, that for white ones, and the first
+    as if considered parameters were known exactly.
 
     slopes are those of each segment's outputs: outputs, times, parameters;
     residuals are outputs, times; both over the noise's deviation. priors are
@@ -58,12 +59,13 @@ def covariances(slopes, residuals, priors=(), considered=None,
     scale = numpy.sqrt(numpy.maximum(
         least / numpy.maximum(numpy.diag(coloured), 1e-300), 1.0))
     coloured = free * coloured * scale * scale[:, None]
+    by_noise = coloured.copy()
     for index, deviation in considered.items():
         effect[index][list(considered)] = 0.0
         moved = white @ effect[index] * deviation
         coloured += numpy.outer(moved, moved)
         coloured[index, index] = deviation ** 2
-    return coloured, free * white
+    return coloured, free * white, by_noise
 
 
 def _by_inputs(gradients, white, considered):

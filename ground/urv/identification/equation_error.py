@@ -45,15 +45,18 @@ class Regression:
 def regress(airframe, segments) -> Regression:
     """Derivatives of all coefficients from all segments."""
     lefts = {name: [] for name in airframe.coefficients}
+    spins = {name: [] for name in airframe.coefficients}
     tables = []
     for part in segments:
-        left, table = airframe.equations(
+        left, table, spin = airframe.equations(
             part,
             lambda values: signal.savgol_filter(values, WINDOW, ORDER),
             lambda values, step=part.step: signal.savgol_filter(
                 values, WINDOW, ORDER, deriv=1, delta=step))
         for name, values in left.items():
             lefts[name].append(values)
+            spins[name].append([spin[name]] if name in spin
+                               else numpy.empty((0, len(values))))
         tables.append(table)
     centred = numpy.concatenate(
         [table - table.mean(axis=1, keepdims=True) for table in tables],
@@ -76,21 +79,22 @@ def regress(airframe, segments) -> Regression:
             numpy.concatenate([
                 table[used],
                 [numpy.full(table.shape[1], float(number == other))
-                 for other in range(len(tables))]])
+                 for other in range(len(tables))],
+                spins[name][number]])
             for number, table in enumerate(tables)], axis=1).T
         left = numpy.concatenate(lefts[name])
         answer, *_ = linalg.lstsq(matrix, left)
         residual = left - matrix @ answer
         noise = max(residual.std(), 1e-12)
         cuts = numpy.cumsum([table.shape[1] for table in tables])[:-1]
-        covariance, _ = bounds.covariances(
+        covariance, *_ = bounds.covariances(
             [each[None] / noise for each in numpy.split(matrix, cuts)],
             [each[None] / noise for each in numpy.split(residual, cuts)])
         for place, index in enumerate(used):
             key = f"{name}_{airframe.variables[index]}"
             values[key] = answer[place]
             deviations[key] = numpy.sqrt(covariance[place, place])
-        constants[name] = list(answer[len(used):])
+        constants[name] = list(answer[len(used):len(used) + len(tables)])
     return Regression(values, deviations, constants, missing, inflation)
 
 

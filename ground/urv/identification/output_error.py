@@ -99,6 +99,8 @@ class Fit:
     records are named NAME/RECORD."""
     white_deviations: dict[str, float]
     """The same if the residuals were white."""
+    noise_deviations: dict[str, float]
+    """Coloured residuals alone, without what is only considered."""
     correlations: numpy.ndarray
     white_correlations: numpy.ndarray
     names: list[str]
@@ -377,7 +379,7 @@ def estimate(problem: Problem) -> Fit:
     differences = problem.differences(base)
     tables = [each / noise[:, None, None]
               for each in problem.sensitivities(changed, base)]
-    covariance, white = bounds.covariances(
+    covariance, white, by_noise = bounds.covariances(
         tables, [each / noise[:, None] for each in differences],
         problem.priors, problem.considered,
         [sum(numpy.einsum("dot,otp->dp", drawn / noise[:, None], table)
@@ -395,6 +397,8 @@ def estimate(problem: Problem) -> Fit:
          if name.count("/") == 1 and not name.startswith("first ")},
         dict(zip(problem.names, deviations, strict=True)),
         dict(zip(problem.names, whites, strict=True)),
+        dict(zip(problem.names, numpy.sqrt(numpy.maximum(
+            numpy.diag(by_noise), 0.0)), strict=True)),
         covariance / safe / safe[:, None],
         white / whites / whites[:, None], problem.names, noise,
         [base[:, :len(part.times), number]
