@@ -31,7 +31,8 @@ NODES = ("gsc", "mcs")
 TASK = re.compile(r"^(?:mcs|gsc)__(\w+)__run_transaction$")
 INTERRUPTS = {"int64": "interrupt converter", "board_int65": "interrupt line",
               "int66": "interrupt clock", "claim": "claim of the controller",
-              "board_claim": "claim of the telemetry board"}
+              "board_claim": "claim of the telemetry board",
+              "ram_test": "test of a cell in flight"}
 
 GRAPH = re.compile(r'^(node|edge): \{(.*)\}$', re.MULTILINE)
 FIELD = re.compile(r'(\w+): "((?:[^"\\]|\\.)*)"')

@@ -43,6 +43,10 @@ ENDLESS_LOOP, LOST_TIMER = range(7, 9)
 # dual-ported memory.
 ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK = range(9, 11)
 
+# A byte of the controller's RAM becomes stuck. An illegal instruction comes in
+# the next test of a cell.
+STUCK_BITS, ILLEGAL_IN_RAM_TEST = range(11, 13)
+
 # Is added to an event that befalls the telemetry board's processor.
 ON_TELEMETRY_BOARD = 32
 
@@ -85,6 +89,12 @@ class Tape:
 
     def plant(self, time_ms, event):
         self.entries.append((self.tick(time_ms), event, [0] * CHANNELS))
+
+    def stick(self, time_ms, address, bits, value):
+        """From a time on, these bits of a byte read as those of the value."""
+        assert value & ~bits == 0
+        self.entries.append((self.tick(time_ms), STUCK_BITS,
+                             [address & 0xFFFF, address >> 16, bits, value]))
 
     def tick(self, time_ms):
         """The first tick of the node that is not before a time."""
@@ -202,6 +212,9 @@ class CortexM(Machine):
     quantum = 8
     line_delay_us = (quantum - 1) * CHARACTER_US
 
+    # More arguments of the emulator, for tests.
+    more = ()
+
     def command(self, image, tape, console, line):
         return ["qemu-system-arm", "-M", "netduinoplus2", "-semihosting",
                 "-icount", f"shift={ICOUNT_SHIFT},align=off,sleep=off",
@@ -209,7 +222,8 @@ class CortexM(Machine):
                 "-chardev", f"{line},id=line",
                 "-serial", f"file:{console}", "-serial", "chardev:line",
                 "-kernel", str(image), "-device",
-                f"loader,file={tape},addr={TAPE_ADDRESS:#x},force-raw=on"]
+                f"loader,file={tape},addr={TAPE_ADDRESS:#x},force-raw=on",
+                *self.more]
 
     def start(self, names, folder, images, stack):
         # Both ends are open here until both emulators have ended: at a closed

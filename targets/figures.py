@@ -73,6 +73,9 @@ def mc68000_times(numbers):
         ("  worst", f"{numbers['board_character_worst']:,}"),
         ("longest claim, controller", f"{numbers['claim_worst']:,}"),
         ("longest claim, board", f"{numbers['board_claim_worst']:,}"),
+        ("test of a RAM cell", f"{numbers['ram_test_worst']:,}"),
+        ("latest interrupt, clock", f"{numbers['late_clock_worst']:,}"),
+        ("  converter", f"{numbers['late_converter_worst']:,}"),
         ("start, million cycles", f"{numbers['start'] / 1e6:.1f}"),
         ("flown at MHz", f"{numbers['mhz']}")]
 

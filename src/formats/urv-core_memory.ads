@@ -38,7 +38,8 @@ package URV.CORE_Memory with Pure, SPARK_Mode is
       Warm_Resets,
       Processor_Restarts,
 
-      --  The result of the last start's self-test; 0 if all tests passed.
+      --  The result of the last start's self-test, or of the RAM in flight; 0
+      --  if all tests passed.
       Self_Test_Result,
 
       --  The check in flight: the number of passes that found the whole ROM

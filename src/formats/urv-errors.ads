@@ -57,7 +57,7 @@ package URV.Errors with Pure, SPARK_Mode is
       --  of checks that have found a difference.
       Warm_Reset,              --  the reset switch
       Processor_Restart,       --  an unexpected exception
-      Self_Test_Failed,        --  before the start
+      Self_Test_Failed,        --  before the start, or RAM in flight
       ROM_Check_Failed,        --  in flight
 
       --  Control laws. Detail of the first: the place of the state in

@@ -15,4 +15,9 @@ package Devices.Memory_Sizes with Pure, SPARK_Mode is
    --  The check in flight reads these in each major frame (TST-3).
    ROM_Bytes_Per_Frame : constant := 64;
 
+   --  The long words of variables and stack, and those that the march in
+   --  flight tests in a minor frame (TST-5).
+   RAM_Cells          : constant := 64 * 1024 / 4;
+   RAM_Cells_Per_Tick : constant := 4;
+
 end Devices.Memory_Sizes;

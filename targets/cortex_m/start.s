@@ -2,12 +2,14 @@
 
 @ Vectors and start-up of the Cortex-M4 (BRD-2, D-81).
 @
-@ The four words at urv_kept survive a reset:
+@ The six words at urv_kept survive a reset:
 @    0  "KEPT" once a program has been elaborated: memory is worth keeping
 @    4  "STRT" when the processor restarts itself; any other reset is the
 @       reset switch, or power up without the first word
 @    8  the reason: the exception's number, or 256 plus a line of Ada
 @   12  the number of restarts
+@   16  the address of the cell under test, or 0
+@   20  the contents of this cell
 
 	.syntax unified
 	.thumb
@@ -65,6 +67,7 @@ urv_reset:
 	blo	2b
 	str	r3, [r4, #4]
 	str	r3, [r4, #12]
+	str	r3, [r4, #16]
 
 	@ Fill the stack with a pattern that shows its depth.
 	ldr	r1, =urv_stack_bottom
@@ -77,14 +80,19 @@ urv_reset:
 	bl	main
 	b	urv_unexpected
 
-	@ Memory is kept. Condition 1 is the reset switch, 2 a restart.
-4:	ldr	r0, [r4, #4]
+	@ Memory is kept: also the contents of a cell whose test did not end.
+	@ Condition 1 is the reset switch, 2 a restart.
+4:	ldrd	r0, r1, [r4, #16]
+	movs	r3, #0
+	cbz	r0, 5f
+	str	r1, [r0]
+	str	r3, [r4, #16]
+5:	ldr	r0, [r4, #4]
 	ldr	r1, =restart
 	cmp	r0, r1
 	ite	eq
 	moveq	r0, #2
 	movne	r0, #1
-	movs	r3, #0
 	str	r3, [r4, #4]
 	bl	urv_run
 	b	urv_unexpected
@@ -129,6 +137,52 @@ urv_restore_interrupts:
 	.thumb_func
 urv_wait:
 	wfi
+	bx	lr
+
+@ Tests the word at r0, and gives back its contents; the result is 1 if it is
+@ sound (TST-5). All is in registers, so that the cell may be of the stack.
+	.macro	march background
+	ldr	r1, =\background
+	str	r1, [r0]
+	mvns	r1, r1
+	str	r1, [r0]
+	ldr	r5, [r0]
+	cmp	r5, r1
+	bne	1f
+	mvns	r1, r1
+	str	r1, [r0]
+	ldr	r5, [r0]
+	cmp	r5, r1
+	bne	1f
+	.endm
+	.globl	urv_march
+	.thumb_func
+urv_march:
+	push	{r4, r5}
+	mrs	r3, primask
+	ldr	r4, =urv_kept
+	mov	r12, #0
+	cpsid	i
+	ldr	r2, [r0]
+	str	r2, [r4, #20]
+	str	r0, [r4, #16]
+	march	0x00000000
+	march	0x55555555
+	march	0x33333333
+	march	0x0f0f0f0f
+	march	0x00ff00ff
+	march	0x0000ffff
+	mov	r12, #1
+1:	str	r2, [r0]
+	ldr	r5, [r0]
+	cmp	r5, r2
+	it	ne
+	movne	r12, #0
+	movs	r5, #0
+	str	r5, [r4, #16]
+	msr	primask, r3
+	mov	r0, r12
+	pop	{r4, r5}
 	bx	lr
 
 @ Ada's Test_And_Set. r0 is the byte; the result is 1 if it was free.

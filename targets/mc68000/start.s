@@ -3,12 +3,14 @@
 | Vectors and start-up of the MC68000 (BRD-2, BRD-4, D-81), for the controller
 | and, with the symbol TELEMETRY_BOARD, for the telemetry board (BRD-8).
 |
-| The four long words at urv_kept survive a restart:
+| The six long words at urv_kept survive a restart:
 |    0  "KEPT" once a program has been elaborated: memory is worth keeping
 |    4  "STRT" when the processor restarts itself; any other reset is the
 |       reset switch, or power up without the first word
 |    8  the reason: the exception's vector, or 256 plus a line of Ada
 |   12  the number of restarts
+|   16  the address of the cell under test, or 0
+|   20  the contents of this cell
 
 	kept = 0x4b455054
 	restart = 0x53545254
@@ -95,6 +97,7 @@ urv_reset:
 	jsr	urv_fill
 	clr.l	4(%a3)
 	clr.l	12(%a3)
+	clr.l	16(%a3)
 
 	| Fill the stack with a pattern that shows its depth.
 	lea	urv_stack_bottom, %a1
@@ -107,8 +110,14 @@ urv_reset:
 	jsr	main
 	illegal
 
-	| Memory is kept. Condition 1 is the reset switch, 2 a restart.
-4:	moveq	#1, %d0
+	| Memory is kept: also the contents of a cell whose test did not end. Condition
+| 1 is the reset switch, 2 a restart.
+4:	move.l	16(%a3), %d0
+	jeq	3f
+	move.l	%d0, %a0
+	move.l	20(%a3), (%a0)
+	clr.l	16(%a3)
+3:	moveq	#1, %d0
 	cmp.l	#restart, 4(%a3)
 	jne	5f
 	moveq	#2, %d0
@@ -174,6 +183,50 @@ urv_sleep:
 	jra	1b
 2:	move.w	#0x2000, %sr
 	rts
+
+	.ifndef	TELEMETRY_BOARD
+| Tests the long word at an address, and gives back its contents; the result is 1
+| if it is sound (TST-5). All is in registers, so that the cell may be of the
+| stack.
+	.macro	march background
+	move.l	#\background, %d1
+	move.l	%d1, (%a0)
+	not.l	%d1
+	move.l	%d1, (%a0)
+	cmp.l	(%a0), %d1
+	jne	1f
+	not.l	%d1
+	move.l	%d1, (%a0)
+	cmp.l	(%a0), %d1
+	jne	1f
+	.endm
+	.globl	urv_march
+urv_march:
+	move.l	4(%sp), %a0
+	lea	urv_kept, %a1
+	movem.l	%d2-%d3, -(%sp)
+	moveq	#0, %d0
+	move.w	%sr, %d3
+	move.w	#0x2700, %sr
+	move.l	(%a0), %d2
+	move.l	%d2, 20(%a1)
+	move.l	%a0, 16(%a1)
+	march	0x00000000
+	march	0x55555555
+	march	0x33333333
+	march	0x0f0f0f0f
+	march	0x00ff00ff
+	march	0x0000ffff
+	moveq	#1, %d0
+1:	move.l	%d2, (%a0)
+	cmp.l	(%a0), %d2
+	jeq	2f
+	moveq	#0, %d0
+2:	clr.l	16(%a1)
+	move.w	%d3, %sr
+	movem.l	(%sp)+, %d2-%d3
+	rts
+	.endif
 
 | Ada's Test_And_Set: the result is 1 if the byte was free.
 	.globl	urv_test_and_set

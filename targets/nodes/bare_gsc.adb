@@ -18,6 +18,8 @@ package body Bare_GSC is
       AD_Board        => GSC.AD_Board,
       Telemetry_Board => GSC.Telemetry_Board,
       CORE_Memory     => GSC.CORE_Memory,
+      Node_Status     => GSC.Status,
+      Errors          => GSC.Errors,
       Node            => GSC.Bare_Metal,
       Begin_Start     => Begin_Start,
       Handle_Value    => GSC.ADINT.Handle_Value);

@@ -67,6 +67,8 @@ package body Bare_MCS is
       AD_Board        => MCS.AD_Board,
       Telemetry_Board => MCS.Telemetry_Board,
       CORE_Memory     => MCS.CORE_Memory,
+      Node_Status     => MCS.Status,
+      Errors          => MCS.Errors,
       Node            => MCS.Bare_Metal,
       Begin_Start     => Begin_Start,
       Handle_Value    => MCS.ADINT.Handle_Value,

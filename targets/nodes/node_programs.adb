@@ -1,6 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Devices.AD_Board; use Devices.AD_Board;
+with Flight_RAM_Tests;
 with Last_Chance;
 pragma Unreferenced (Last_Chance);
 with Line_Programs;
@@ -12,7 +13,11 @@ pragma Unreferenced (Power_Up_Tests);
 with Targets;
 with Telemetry;        use Telemetry;
 with Telemetry.Boards;
+with URV.Buffers;
 with URV.CORE_Memory;
+with URV.Errors;
+with URVOS.Memories;   use URVOS.Memories;
+with URVOS.Self_Tests; use URVOS.Self_Tests;
 
 package body Node_Programs is
 
@@ -31,6 +36,12 @@ package body Node_Programs is
 
    --  Serves the ticks that wait.
    procedure Serve;
+
+   --  Reports a cell of the RAM that is not sound (TST-5).
+   procedure Report_RAM (Where : Word_Address);
+
+   --  Tests cells of the RAM until there is work, or no cell is due.
+   procedure Test_RAM;
 
    procedure Run (Condition : Start_Condition) with No_Return;
 
@@ -78,6 +89,30 @@ package body Node_Programs is
       end loop;
    end Serve;
 
+   procedure Report_RAM (Where : Word_Address) is
+      Result : constant Word := To_Word (Failure (RAM, Where));
+   begin
+      CORE_Memory.Write_Status
+        ((URV.CORE_Memory.Self_Test_Result => Result));
+      Node_Status.Write
+        (Node_Status.Contents or URV.Buffers.Self_Test_Failed);
+      Errors.Report (URV.Errors.Self_Test_Failed, Result);
+   end Report_RAM;
+
+   procedure Test_RAM is
+      Is_Sound : Boolean;
+      Where    : Word_Address;
+   begin
+      while not Has_Ticked and then not Scan_Ended
+        and then Flight_RAM_Tests.Has_Cell
+      loop
+         Flight_RAM_Tests.Test_Cell (Is_Sound, Where);
+         if not Is_Sound then
+            Report_RAM (Where);
+         end if;
+      end loop;
+   end Test_RAM;
+
    procedure Run (Condition : Start_Condition) is
    begin
       Targets.Open;
@@ -111,6 +146,7 @@ package body Node_Programs is
          Put_Line (" started");
       end if;
       loop
+         Test_RAM;
          Targets.Sleep (Awake'Access);
          Awake := Targets.Down;
          while Has_Ticked or else Scan_Ended loop
@@ -118,6 +154,7 @@ package body Node_Programs is
                Has_Ticked := False;
                Serve;
                Targets.Feed_Watchdog;   --  BRD-7
+               Flight_RAM_Tests.Begin_Tick;
             else
                Scan_Ended := False;
                Node.Look_Again;

@@ -9,6 +9,8 @@ with Telemetry.Shared_Boards;
 with URV.AD_Boards;
 with URV.AD_Scans; use URV.AD_Scans;
 with URV.Shared_CORE_Memory;
+with URV.Shared_Errors;
+with URV.Shared_Status;
 with URVOS;        use URVOS;
 with URVOS.Bare_Nodes;
 with URVOS.Starts; use URVOS.Starts;
@@ -18,6 +20,8 @@ generic
    AD_Board        : in out URV.AD_Boards.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
    CORE_Memory     : in out URV.Shared_CORE_Memory.Board;
+   Node_Status     : in out URV.Shared_Status.Status;
+   Errors          : in out URV.Shared_Errors.Shared_Log;
 
    with package Node is new URVOS.Bare_Nodes (<>);
    with procedure Begin_Start (Condition : Start_Condition);

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1, BRD-2, BRD-3: both nodes on a bare Cortex-M4, in QEMU, beside the
+"""BRD-1, BRD-2, BRD-3, TST-5: both nodes on a bare Cortex-M4, in QEMU, beside the
 simulation of the same flight."""
 
+import socket
+import subprocess
+import threading
 import time
 
 import pytest
@@ -11,6 +14,7 @@ import emulated
 import image_sum
 
 MACHINE = emulated.CORTEX_M
+ROM, SCRATCHPAD = 0x08000000, 0x20010000
 pytestmark = bare.needs(MACHINE)
 
 
@@ -73,6 +77,83 @@ def test_brd3_the_sum_is_that_of_the_flight_software():
 def test_brd3_a_program_that_is_too_long_gets_no_sum():
     with pytest.raises(ValueError, match="114685 bytes: 114684 is the most"):
         image_sum.image_of(bytes(MACHINE.rom_size - 3), MACHINE.rom_size)
+
+
+class Debugger:
+    """QEMU's debugger, by GDB's remote protocol."""
+
+    def __init__(self, path):
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.settimeout(emulated.LIMIT_S)
+        while True:
+            try:
+                self.socket.connect(str(path))
+                break
+            except OSError:
+                time.sleep(0.05)
+        self.read = self.socket.makefile("rb").read
+
+    def ask(self, text):
+        """The answer to a command."""
+        self.socket.sendall(
+            f"${text}#{sum(text.encode()) % 256:02x}".encode())
+        answer = b""
+        while (byte := self.read(1)) != b"$":
+            assert byte in b"+", byte
+        while (byte := self.read(1)) != b"#":
+            answer += byte
+        self.read(2)
+        self.socket.sendall(b"+")
+        return answer.decode()
+
+    def register(self, number):
+        registers = bytes.fromhex(self.ask("g"))
+        return int.from_bytes(registers[4 * number:4 * number + 4], "little")
+
+
+def spoil_a_read(path, place, found):
+    """The third read-back of the march finds another bit."""
+    debugger = Debugger(path)
+    assert debugger.ask(f"Z1,{place:x},2") == "OK"
+    for number in range(3):
+        assert debugger.ask("c").startswith("T05")
+        assert debugger.register(15) == place
+        if number < 2:
+            debugger.ask("s")
+    cell = debugger.register(0)
+    wrong = debugger.register(1) ^ 0x10
+    debugger.ask(f"M{cell:x},4:" + wrong.to_bytes(4, "little").hex())
+    found.append(cell)
+    assert debugger.ask(f"z1,{place:x},2") == "OK"
+    debugger.ask("D")
+
+
+def test_tst5_a_cell_that_reads_another_value_is_reported(
+        tmp_path, monkeypatch):
+    """QEMU has no stuck bits: the debugger changes a cell within its test."""
+    symbols = subprocess.run(
+        [f"{MACHINE.prefix}nm", MACHINE.images / "mcs.elf"],
+        check=True, capture_output=True, text=True).stdout
+    march = next(int(line.split()[0], 16) for line in symbols.splitlines()
+                 if line.endswith(" urv_march")) & ~1
+    read_back = b"\x05\x68"         # ldr r5, [r0]
+    program = (MACHINE.images / "mcs.bin").read_bytes()
+    place = program.index(read_back, march - ROM) + ROM
+    path = tmp_path / "debugger"
+    monkeypatch.setattr(MACHINE, "more", (
+        "-gdb", f"unix:{path},server=on", "-S"), raising=False)
+    found = []
+    debugger = threading.Thread(
+        target=spoil_a_read, args=(path, place, found), daemon=True)
+    debugger.start()
+    run = MACHINE.fly({"mcs": emulated.Tape(0.5)}, tmp_path)["mcs"]
+    debugger.join(emulated.LIMIT_S)
+    assert found == [SCRATCHPAD + 8]
+    assert run.has("MCS started")
+    last = max(run.rows)
+    assert run.status(last)[bare.SELF_TEST] == bare.RAM_FAILED
+    assert run.downlink(last)[-1] & 4
+    assert run.numbers["overruns"] == 0
 
 
 def test_d80_the_runtime_needs_no_tasks_and_no_exceptions():

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1 to BRD-4, BRD-8: both nodes on the report's processor, on an emulated board
+"""BRD-1 to BRD-4, BRD-8, TST-5: both nodes on the report's processor, on an emulated board
 beside the simulation of the same flight."""
 
 import subprocess
@@ -9,6 +9,7 @@ import pytest
 import alignments
 import bare
 import emulated
+import image_sum
 
 MACHINE = emulated.MC68000_BOARD
 pytestmark = bare.needs(MACHINE, MACHINE.archive)
@@ -71,17 +72,20 @@ def test_brd3_tst1_a_changed_bit_of_the_image_is_refused(tmp_path, place):
     bare.refuses_a_changed_bit(MACHINE, tmp_path, place)
 
 
+def address(symbol):
+    symbols = subprocess.run(
+        [f"{MACHINE.prefix}nm", MACHINE.images / "mcs.elf"],
+        check=True, capture_output=True, text=True).stdout
+    return next(int(line.split()[0], 16) for line in symbols.splitlines()
+                if line.endswith(f" {symbol}"))
+
+
 @pytest.mark.parametrize("place", ["urv_data_start", "urv_bss_end",
                                    "urv_stack_top"])
 def test_brd3_tst1_a_stuck_cell_of_the_variables_allows_no_start(
         tmp_path, place):
     """Found before the variables have their first values."""
-    symbols = subprocess.run(
-        [f"{MACHINE.prefix}nm", MACHINE.images / "mcs.elf"],
-        check=True, capture_output=True, text=True).stdout
-    where = next(int(line.split()[0], 16) for line in symbols.splitlines()
-                 if line.endswith(f" {place}")) - (
-        2 if place == "urv_stack_top" else 0)
+    where = address(place) - (2 if place == "urv_stack_top" else 0)
     (tmp_path / "mcs.stuck").write_text(f"{where:x} 40")
     run = MACHINE.fly({"mcs": emulated.Tape(1)}, tmp_path)["mcs"]
     assert run.has(f"no start: RAM is faulty, byte {where}")
@@ -95,6 +99,124 @@ def test_brd3_tst1_a_stuck_cell_of_the_scratchpad_is_refused(tmp_path):
     last = max(run.rows)
     assert run.status(last)[bare.SELF_TEST] == bare.RAM_FAILED + (0x11A >> 4)
     assert run.pwm(last) == bare.SAFE
+
+
+# The march in flight: a cell is a long word. It begins with the scratchpad.
+RAM, SCRATCHPAD = 0x100000, 0x110000
+SCRATCHPAD_CELLS, CELLS = 0x400, 0x4400
+CELLS_PER_TICK = 2
+CELLS_PER_BLOCK = 8
+SELF_TEST_BIT = 4
+
+
+def cell(where):
+    """The number of the cell with this address."""
+    return ((where - SCRATCHPAD) // 4 if where >= SCRATCHPAD
+            else SCRATCHPAD_CELLS + (where - RAM) // 4)
+
+
+def tick_of(number):
+    """The tick in which the march comes to a cell, in the first pass."""
+    return number // CELLS_PER_TICK + 1
+
+
+def block_word(where):
+    return bare.RAM_FAILED + cell(where) // CELLS_PER_BLOCK
+
+
+def found_in(run, where):
+    """The first row, in which the block of this address is reported."""
+    return min((frame for frame in run.rows
+                if run.status(frame)[bare.SELF_TEST] == block_word(where)),
+               default=None)
+
+
+def error_of_board(folder):
+    return (folder / "board.err").read_text()
+
+
+@pytest.mark.parametrize("value", [0, 1], ids=["at 0", "at 1"])
+def test_tst5_each_bit_of_a_cell_that_becomes_stuck_in_flight_is_found(
+        tmp_path, value):
+    """One bit after the other, each in another cell, in the tick in which the
+    march comes to it."""
+    tape = emulated.Tape(0.8)
+    places = {}
+    for bit in range(32):
+        tick = 20 + 10 * bit
+        where = SCRATCHPAD + 4 * CELLS_PER_TICK * (tick + 5) + bit // 8
+        bits = 1 << bit % 8
+        tape.stick(emulated.TICK_MS * tick, where, bits, value * bits)
+        places[bit] = where
+    run = MACHINE.fly({"mcs": tape}, tmp_path)["mcs"]
+    assert {bit: found_in(run, where) for bit, where in places.items()} == {
+        bit: 2 + bit for bit in places}
+    last = max(run.rows)
+    assert run.downlink(last)[-1] & SELF_TEST_BIT
+    assert run.numbers["overruns"] == 0
+    assert error_of_board(tmp_path) == ""
+
+
+def test_tst5_a_stuck_cell_anywhere_in_ram_is_found(tmp_path):
+    """Of a variable, of both ends of the stack, and the last one. A bit has the
+    value that the program needs, or nobody reads it."""
+    places = [
+        (address("flight_ram_tests__progress"), 0x80, 0),
+        (address("urv_stack_bottom"), 0x40, 0x40),
+        (address("urv_stack_top") - 4, 0x80, 0),
+        (SCRATCHPAD - 1, 1, 1)]
+    tape = emulated.Tape((tick_of(CELLS) + 10) * emulated.TICK_MS / 1000)
+    for where, bits, value in places:
+        tape.stick(emulated.TICK_MS * (tick_of(cell(where)) - 5), where, bits,
+                   value)
+    run = MACHINE.fly({"mcs": tape}, tmp_path)["mcs"]
+    assert {where: found_in(run, where) for where, _, _ in places} == {
+        where: tick_of(cell(where)) // 10 for where, _, _ in places}
+    assert run.numbers["overruns"] == 0
+    assert sorted(run.rows) == list(range(len(run.rows)))
+    assert error_of_board(tmp_path) == ""
+
+
+def test_tst5_a_cell_that_the_march_has_just_left_is_found_in_a_pass(tmp_path):
+    """The march begins again, 17.4 s later."""
+    where = SCRATCHPAD + 0x20
+    again = tick_of(CELLS + cell(where))
+    tape = emulated.Tape((again + 20) * emulated.TICK_MS / 1000)
+    tape.stick(emulated.TICK_MS * (tick_of(cell(where)) + 1), where, 1, 1)
+    run = MACHINE.fly({"mcs": tape}, tmp_path)["mcs"]
+    assert found_in(run, where) == again // 10
+    assert again * emulated.TICK_MS < 17_500
+    assert error_of_board(tmp_path) == ""
+
+
+def test_tst5_a_restart_within_the_test_of_a_cell_keeps_its_contents(tmp_path):
+    """The board compares."""
+    bare.restarts(MACHINE, tmp_path,
+                  [(emulated.ILLEGAL_IN_RAM_TEST, ILLEGAL)] * 2)
+    assert error_of_board(tmp_path) == ""
+
+
+def test_tst5_a_test_that_changes_its_cell_is_found(tmp_path):
+    """The board reports the instruction that does not give back the contents."""
+    write_back, compare, nothing = b"\x20\x82", b"\xb4\x90", b"\x4e\x71"
+    program = (MACHINE.images / "mcs.raw").read_bytes()
+    assert program.count(write_back + compare) == 1
+    image = tmp_path / "mcs.bin"
+    image.write_bytes(image_sum.image_of(
+        program.replace(write_back + compare, nothing + compare),
+        MACHINE.rom_size))
+    MACHINE.fly({"mcs": emulated.Tape(1)}, tmp_path, {"mcs": image})
+    assert "a test has changed the cell" in error_of_board(tmp_path)
+
+
+def test_tst5_the_march_delays_no_interrupt_of_a_flight(tmp_path):
+    """Interrupts are masked for at most 3 us, once a cell, and the latest one
+    does not come later than that."""
+    run = MACHINE.fly({"mcs": emulated.Tape(1)}, tmp_path)["mcs"]
+    limit = 3 * MACHINE.mhz
+    assert 0 < run.numbers["ram_test_worst"] < limit
+    assert run.numbers["late_clock_worst"] < limit
+    assert run.numbers["late_converter_worst"] < limit
 
 
 def test_brd4_errors_of_the_line_are_counted_and_spoil_a_block(tmp_path):

@@ -10,6 +10,7 @@ with URVOS.Image_Sums;      use URVOS.Image_Sums;
 with URVOS.Memories;        use URVOS.Memories;
 with URVOS.Processor_Tests; use URVOS.Processor_Tests;
 with URVOS.RAM_Tests;
+with URVOS.RAM_Walks;       use URVOS.RAM_Walks;
 with URVOS.ROM_Checks;
 with URVOS.Self_Tests;      use URVOS.Self_Tests;
 with URVOS.Start_Tests;
@@ -42,6 +43,7 @@ package body Self_Test_Tests is
    procedure Slices;
    procedure Failure_In_Flight;
    procedure Result_Words;
+   procedure Walk_In_Flight;
 
    --  Board 1 is tested; the others show that boards are independent.
 
@@ -676,6 +678,35 @@ package body Self_Test_Tests is
       Expect ("registers", To_Word (Failure (Registers)), 16#C000#);
    end Result_Words;
 
+   --  A small memory, two cells a tick: 5 cells of scratchpad and 4 of
+   --  variables.
+   procedure Walk_In_Flight is
+      Parts : constant Part_Sizes := (Scratchpad => 5, Variables => 4);
+      Now   : Walk;
+      Seen  : array (Part_Name, Cell_Count range 0 .. 4) of Natural :=
+        (others => (others => 0));
+      Here  : Place;
+   begin
+      Expect ("has a cell before the first tick", Has_Cell (Now), False);
+      for Tick in 1 .. 9 loop
+         Now := After_Tick (Now, Cells => 2);
+         while Has_Cell (Now) loop
+            Here := Place_Of (Now.Next, Parts);
+            Seen (Here.Part, Here.Cell) := Seen (Here.Part, Here.Cell) + 1;
+            Now := After_Cell (Now, Parts);
+         end loop;
+      end loop;
+      for Part in Part_Name loop
+         for Cell in Cell_Count range 0 .. 4 loop
+            Expect_Number
+              (Part'Image & Cell'Image, Seen (Part, Cell),
+               (if Cell < Parts (Part) then 2 else 0));
+         end loop;
+      end loop;
+      Expect_Number ("begins again", Natural (Now.Next), 0);
+      Expect_Number ("address of a word", Natural (Word_Of (7)), 14);
+   end Walk_In_Flight;
+
    procedure Add_To
      (Suite : AUnit.Test_Suites.Access_Test_Suite; Briefly : Boolean) is
    begin
@@ -732,6 +763,9 @@ package body Self_Test_Tests is
       Add
         (Suite, "TST-4 a result is a word with the test and the place",
          Result_Words'Access);
+      Add
+        (Suite, "TST-5 the walk comes to each cell of both parts once a pass",
+         Walk_In_Flight'Access);
    end Add_To;
 
 end Self_Test_Tests;

@@ -10,7 +10,11 @@
    counts the cycles of the calls of these subprograms, without the interrupts
    and the other subprograms of the file that they contain. With a file
    OUTPUT/NODE.stuck, "address bits", both hexadecimal, these bits of a byte in
-   the controller's RAM always read as 0.
+   the controller's RAM always read as 0. A tape can make bits stick later.
+
+   While the controller tests a cell of its RAM in flight, the fifth long word of
+   the kept ones has the cell's address. When the test ends, the cell must have
+   the contents that it had before, and no interrupt may come meanwhile (TST-5).
 
    Memory of a board:
 
@@ -60,6 +64,7 @@ enum {
    RAM_SIZE = 80 * 1024 + 64,
    DUAL_START = 0x200000,
    DUAL_SIZE = 1024,
+   CELL_UNDER_TEST = 0x114010,
    LOCK = 4,
    TAKEN = 0x80,
 
@@ -91,7 +96,7 @@ enum {
 enum event {
    WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS,
    PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER, ENDLESS_LOOP, LOST_TIMER,
-   ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK,
+   ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK, STUCK_BITS, ILLEGAL_IN_RAM_TEST,
 
    ON_TELEMETRY_BOARD = 32            /* is added to an event of that board */
 };
@@ -153,8 +158,10 @@ struct call {
 struct node {
    char name[64];
    bool is_telemetry_board;
-   unsigned stuck_at;                 /* bits of a byte in RAM that read as 0 */
-   uint8_t stuck_bits;
+   unsigned stuck_at;                 /* bits of a byte in RAM, and their value */
+   uint8_t stuck_bits, stuck_value;
+   unsigned cell, contents;           /* under test, and before the test */
+   bool illegal_in_test;              /* an illegal instruction in the next one */
    struct node *partner;              /* the node's other one */
    uint8_t *dual;                     /* the memory of both */
    FILE *console;
@@ -191,8 +198,10 @@ struct node {
    uint64_t stopped_at, cut;
    uint64_t tick_start, idle;
    unsigned lost_times;               /* a timer's interrupt was still pending */
-   struct figure tick, frame, character_time, claim;
-   uint64_t claimed_at;
+   struct figure tick, frame, character_time, claim, ram_test;
+   uint64_t claimed_at, test_begun;
+   uint64_t due;                      /* of the clock's interrupt */
+   struct figure late_clock, late_converter;
    bool claims;                       /* it holds the lock */
    struct handler handlers[HANDLERS];
    int depth;
@@ -272,10 +281,21 @@ static bool is_asleep(const struct node *processor)
    return processor->ended || (processor->stopped && !processor->requested);
 }
 
+static void add(struct figure *figure)
+{
+   if (figure->now > figure->most)
+      figure->most = figure->now;
+   figure->all += figure->now;
+   figure->count++;
+   figure->now = 0;
+}
+
 int board_acknowledge(int level)
 {
    int vector;
 
+   if (node->cell != 0)
+      fail("an interrupt while a cell is tested", node->cell);
    if (level == 7) {
       vector = WATCHDOG_VECTOR;
       node->bites = false;
@@ -296,18 +316,16 @@ int board_acknowledge(int level)
       else
          node->idle += now() - node->stopped_at;
    }
+   if (level == 4 && node->begun) {
+      node->late_clock.now = now() - node->due;
+      add(&node->late_clock);
+   } else if (level == 5 && node->begun) {
+      node->late_converter.now = now() - node->converter.done;
+      add(&node->late_converter);
+   }
    if (node->depth < HANDLERS)
       node->handlers[node->depth++] = (struct handler){ vector, now() };
    return vector;
-}
-
-static void add(struct figure *figure)
-{
-   if (figure->now > figure->most)
-      figure->most = figure->now;
-   figure->all += figure->now;
-   figure->count++;
-   figure->now = 0;
 }
 
 /* The stack is in RAM. */
@@ -698,6 +716,11 @@ static void end_run(void)
       print_figure("frame", &node->frame);
    }
    print_figure("claim", &node->claim);
+   if (!node->is_telemetry_board) {
+      print_figure("ram_test", &node->ram_test);
+      print_figure("late_clock", &node->late_clock);
+      print_figure("late_converter", &node->late_converter);
+   }
    for (int vector = 0; vector < 256; vector++)
       if (node->by_vector[vector].count) {
          char name[8];
@@ -739,6 +762,7 @@ void board_reset(void)
    node->converter = none;
    node->watched = node->bites = false;
    node->planted = node->planted_with_lock = NULL;
+   node->illegal_in_test = false;
    node->depth = 0;
    node->call_depth = 0;
    request();
@@ -783,8 +807,10 @@ unsigned int m68k_read_memory_8(unsigned int where)
    if (where < ROM_SIZE)
       return node->rom[where];
    if (where - RAM_START < RAM_SIZE)
-      return node->ram[where - RAM_START]
-         & (where == node->stuck_at ? ~node->stuck_bits : 0xFF);
+      return where == node->stuck_at
+         ? (node->ram[where - RAM_START] & ~node->stuck_bits)
+            | node->stuck_value
+         : node->ram[where - RAM_START];
    if (where - DUAL_START < DUAL_SIZE)
       return node->dual[where - DUAL_START];
    if (where >> 6 == 0xF00000 >> 6)
@@ -857,8 +883,33 @@ void m68k_write_memory_16(unsigned int where, unsigned int value)
    }
 }
 
+static void look_at_test(unsigned where)
+{
+   unsigned contents;
+
+   if (where != 0 && node->cell == 0) {
+      node->cell = where;
+      node->contents = m68k_read_memory_32(where);
+      node->test_begun = now();
+      if (node->illegal_in_test) {
+         node->illegal_in_test = false;
+         plant(illegal_words);
+      }
+   } else if (where == 0 && node->cell != 0) {
+      contents = m68k_read_memory_32(node->cell);
+      if (contents != node->contents)
+         fail("a test has changed the cell", node->cell);
+      node->cell = 0;
+      node->ram_test.now = now() - node->test_begun;
+      add(&node->ram_test);
+   } else if (where != 0)
+      fail("a test did not end at", node->cell);
+}
+
 void m68k_write_memory_32(unsigned int where, unsigned int value)
 {
+   if ((where & 0xFFFFFF) == CELL_UNDER_TEST && !node->is_telemetry_board)
+      look_at_test(value);
    m68k_write_memory_16(where, value >> 16);
    m68k_write_memory_16(where + 2, value & 0xFFFF);
 }
@@ -889,6 +940,12 @@ static void happen(uint32_t event, const uint8_t *words)
    case LOST_TIMER: node->clock.runs = node->line.runs = false; break;
    case ILLEGAL_WITH_LOCK: node->planted_with_lock = illegal_words; break;
    case LOOP_WITH_LOCK: node->planted_with_lock = loop_words; break;
+   case STUCK_BITS:
+      node->stuck_at = long_number(words);
+      node->stuck_bits = (uint8_t)number(words + 4, 2);
+      node->stuck_value = (uint8_t)number(words + 6, 2);
+      break;
+   case ILLEGAL_IN_RAM_TEST: node->illegal_in_test = true; break;
    default: fail("an event that is not emulated", event);
    }
 }
@@ -957,6 +1014,8 @@ static void run_timer(struct duart *duart)
    if (duart->state & COUNTER_READY)
       node->lost_times++;
    duart->state |= COUNTER_READY;
+   if (duart == &node->clock)
+      node->due = now();
    if (duart == &node->line && node->begun)
       count_character_time();
    if (duart == &node->clock) {
