@@ -117,6 +117,7 @@ class Run:
         self.text = text
         self.rows = {}
         self.numbers = {}
+        self.pulses = []
         for line in text.splitlines():
             name, *rest = line.split() or [""]
             prefix = ""
@@ -124,6 +125,8 @@ class Run:
                 prefix, (name, *rest) = "board_", rest
             if name == "row":
                 self.rows[int(rest[1])] = [int(word, 16) for word in rest[2:]]
+            elif name == "pulses":
+                self.pulses = [int(word, 16) for word in rest]
             elif len(rest) >= 2 and rest[1].isdigit():
                 self.numbers.update(zip((prefix + each for each in rest[::2]),
                                         map(int, rest[1::2])))

@@ -10,21 +10,6 @@ package Registers is
 
    type Register is new Unsigned_32 with Volatile_Full_Access;
 
-   --  SysTick: the processor's timer, which counts down from Reload to 0
-
-   type Timer is limited record
-      Control : Register;
-      Reload  : Register;
-      Current : Register;
-   end record;
-
-   Timer_On            : constant Register := 1;
-   Timer_Interrupts    : constant Register := 2;
-   Timer_On_Main_Clock : constant Register := 4;
-
-   SysTick : Timer
-   with Import, Volatile, Address => To_Address (16#E000_E010#);
-
    --  Interrupt control. Bit 26 is set while SysTick's interrupt is pending.
    Interrupt_State : Register
    with Import, Address => To_Address (16#E000_ED04#);

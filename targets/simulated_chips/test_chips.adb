@@ -1,19 +1,25 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Runs the drivers beside simulated chips, on a host, with the contracts
---  executed (BRD-6). Events come between any two accesses: all plans of up to
---  two events at each of the first seven accesses, and a burst at each.
+--  executed (BRD-6, BRD-9). Events come between any two accesses: all plans of
+--  up to two events at each of the first seven accesses, and a burst at each.
 --
 --  Prints a line for each test. Exit status: 0 when all passed.
 
 with Ada.Assertions;   use Ada.Assertions;
 with Ada.Command_Line; use Ada.Command_Line;
 with Ada.Text_IO;
+with Cortex_SysTick.Registers;
+with Cortex_SysTick.Timers;
 with MC68681.Channels;
 with MC68681.Models;
 with MC68681.Registers;
 with MC68681.Timers;
 with Simulated_Line;   use Simulated_Line;
+with STM32_ADC.Conversions;
+with STM32_ADC.Registers;
+with STM32_PWM.Pulses;
+with STM32_PWM.Registers;
 with STM32_USART.Channels;
 with STM32_USART.Registers;
 with STM32_Watchdog.Registers;
@@ -345,6 +351,227 @@ procedure Test_Chips is
       end loop;
    end Feed_Watchdog;
 
+   --  The STM32's converter
+
+   procedure Set_Up_Converter;
+   procedure Convert (Plan : Event_Plan);
+   procedure Convert;
+   procedure Convert_Untaken;
+
+   procedure Set_Up_Converter is
+      use STM32_ADC;
+      use STM32_ADC.Registers;
+      Refused : Boolean := False;
+   begin
+      Begin_Plan (No_Events);
+      Conversions.Set_Up (Cycles_56, Interrupt => True);
+      Conversions.Start (3);
+      begin
+         Conversions.Start (4);
+      exception
+         when Assertion_Error => Refused := True;
+      end;
+      pragma Assert (Refused and then State.Sampled = 3);
+      Begin_Plan ((2, 0, 1, others => 1));
+      Conversions.Set_Up (Cycles_84, Interrupt => True);
+      pragma Assert
+        (Conversions.Is_Ready (State)
+         and then State.Settings.End_Interrupt
+         and then State.Settings.Overrun_Interrupt
+         and then State.Sampling = Cycles_84);
+   end Set_Up_Converter;
+
+   --  A start for each value: each is that of its channel, and none is lost.
+   procedure Convert (Plan : Event_Plan) is
+      use STM32_ADC;
+      use STM32_ADC.Registers;
+      Result : Conversions.Reception;
+      Before : constant Event_Number := State.Losses with Ghost;
+   begin
+      Begin_Plan (No_Events);
+      Conversions.Set_Up (Cycles_56, Interrupt => True);
+      Begin_Plan (Plan);
+      for Channel in Channel_Number range 0 .. 3 loop
+         Conversions.Start (Channel);
+         for Look in 1 .. 4 loop
+            Conversions.Take (Result);
+            exit when Result.Is_There;
+         end loop;
+         exit when not Result.Is_There;
+         pragma Assert (not Result.Overrun);
+         pragma Assert (Channel_Number (Result.Value mod 16) = Channel);
+      end loop;
+      pragma Assert (State.Losses = Before);
+   end Convert;
+
+   procedure Convert is
+   begin
+      Try_All (Convert'Access);
+   end Convert;
+
+   --  A second start before the first value was taken: an overrun, reported
+   --  once, and no value of an unknown channel.
+   procedure Convert_Untaken is
+      use STM32_ADC;
+      use STM32_ADC.Registers;
+      Result         : Conversions.Reception;
+      Values, Losses : Natural;
+   begin
+      for Events in 0 .. 3 ** 6 - 1 loop
+         declare
+            Plan : Event_Plan := No_Events;
+            Rest : Natural := Events;
+         begin
+            Begin_Plan (No_Events);
+            Conversions.Set_Up (Cycles_56, Interrupt => False);
+            Conversions.Start (1);
+            for Place in 1 .. 6 loop
+               Plan (Place) := Rest mod 3;
+               Rest := Rest / 3;
+            end loop;
+            Begin_Plan (Plan);
+            Values := 0;
+            Losses := 0;
+            if Plan (1) > 0 then
+               Write_Control_1 ((others => False));
+               Conversions.Start (2);
+            end if;
+            for Look in 1 .. 4 loop
+               Conversions.Take (Result);
+               if Result.Is_There then
+                  pragma Assert
+                    (Result.Value mod 16 =
+                       (if Plan (1) > 0 and then Values + Losses > 0 then 2
+                        else 1));
+                  Values := Values + 1;
+               end if;
+               if Result.Overrun then
+                  Losses := Losses + 1;
+               end if;
+            end loop;
+            pragma Assert (Losses <= 1 and then Values <= 2);
+            pragma Assert (not State.Overrun);
+         end;
+      end loop;
+   end Convert_Untaken;
+
+   --  The servos' pulses
+
+   procedure Start_Pulses;
+   procedure Change_Pulses;
+   procedure Limit_Pulses;
+
+   --  The simulated chip demands safe outputs at each access.
+   procedure Start_Pulses is
+      use STM32_PWM;
+      use STM32_PWM.Registers;
+   begin
+      for Timer in Timer_Name loop
+         Begin_Plan ((0, 1, 0, 2, others => 1));
+         Pulses.Set_Up (Timer, (others => Pulse_Of (16#800#)));
+         pragma Assert (Pulses.Is_Set_Up (State (Timer)));
+         Begin_Plan ((others => 1));
+         Pulses.Set_Up
+           (Timer, (4 => Pulse_Of (0), others => Pulse_Of (16#FFF#)));
+         pragma Assert
+           (Pulses.Is_Set_Up (State (Timer))
+            and then State (Timer).In_Use.Compare (1) = 2_000
+            and then State (Timer).In_Use.Compare (4) = 1_000);
+      end loop;
+   end Start_Pulses;
+
+   --  A written pulse waits for the end of the period.
+   procedure Change_Pulses is
+      use STM32_PWM;
+      use STM32_PWM.Registers;
+      Refused : Natural := 0;
+   begin
+      Begin_Plan (No_Events);
+      Pulses.Set_Up (Timer_3, (others => 1_500));
+      Pulses.Write (Timer_3, 2, 1_250);
+      pragma Assert
+        (State (Timer_3).In_Use.Compare (2) = 1_500
+         and then State (Timer_3).Written.Compare (2) = 1_250);
+      Begin_Plan ((1, others => 0));
+      Pulses.Write (Timer_3, 1, 1_750);
+      pragma Assert
+        (State (Timer_3).In_Use.Compare (2) = 1_250
+         and then State (Timer_3).In_Use.Compare (1) = 1_500);
+      begin
+         Write_Compare (Timer_3, 1, 2_001);
+      exception
+         when Assertion_Error => Refused := Refused + 1;
+      end;
+      begin
+         Write_Reload (Timer_3, 20_000);
+      exception
+         when Assertion_Error => Refused := Refused + 1;
+      end;
+      pragma Assert (Refused = 2);
+   end Change_Pulses;
+
+   procedure Limit_Pulses is
+      use STM32_PWM;
+      Last : Pulse := Pulse'First;
+   begin
+      for Value in Word range 0 .. 16#1FFF# loop
+         pragma Assert (Pulse_Of (Value) in Last .. Last + 1);
+         Last := Pulse_Of (Value);
+      end loop;
+      pragma Assert (Last = Pulse'Last);
+   end Limit_Pulses;
+
+   --  The processor's timer
+
+   procedure Start_SysTick;
+   procedure Take_SysTick_Periods (Plan : Event_Plan);
+   procedure Take_SysTick_Periods;
+
+   procedure Start_SysTick is
+      use Cortex_SysTick;
+      use Cortex_SysTick.Registers;
+      Before : Event_Number with Ghost;
+   begin
+      Begin_Plan ((0, 3, others => 1));
+      Timers.Start (336_000);
+      Timers.Start (16_128);
+      pragma Assert (State.In_Use = 16_127 and then State.Counts);
+      Begin_Plan (No_Events);
+      Timers.Set_Next (4_000);
+      pragma Assert (State.In_Use = 16_127 and then State.Reload = 3_999);
+      Timers.Stop;
+      Before := State.Periods;
+      Begin_Plan ((others => 1));
+      Timers.Resume;
+      pragma Assert (State.Periods = Before and then State.Interrupts);
+   end Start_SysTick;
+
+   --  Each end of a period is reported; several may be reported as one.
+   procedure Take_SysTick_Periods (Plan : Event_Plan) is
+      use Cortex_SysTick;
+      Ended    : Natural := 0;
+      Reported : Natural := 0;
+      Is_Due   : Boolean;
+   begin
+      Begin_Plan (No_Events);
+      Timers.Start (4_000);
+      Begin_Plan (Plan);
+      loop
+         Timers.Take_Period (Is_Due);
+         Reported := Reported + (if Is_Due then 1 else 0);
+         exit when Is_Over and then not Is_Due;
+      end loop;
+      for Events of Plan loop
+         Ended := Ended + (if Events > 0 then 1 else 0);
+      end loop;
+      pragma Assert (Reported = Ended);
+   end Take_SysTick_Periods;
+
+   procedure Take_SysTick_Periods is
+   begin
+      Try_All (Take_SysTick_Periods'Access);
+   end Take_SysTick_Periods;
+
 begin
    Run ("MC68681: set up while characters arrive", Set_Up_DUART'Access);
    Run ("MC68681: characters between any two accesses",
@@ -363,5 +590,18 @@ begin
         Start_Watchdog'Access);
    Run ("STM32 watchdog: each feed begins its time again",
         Feed_Watchdog'Access);
+   Run ("STM32 ADC: set up during a conversion", Set_Up_Converter'Access);
+   Run ("STM32 ADC: a conversion ends between any two accesses",
+        Convert'Access);
+   Run ("STM32 ADC: a value that is not taken is an overrun",
+        Convert_Untaken'Access);
+   Run ("STM32 PWM: no output before the pulses are right",
+        Start_Pulses'Access);
+   Run ("STM32 PWM: a pulse changes at the end of its period",
+        Change_Pulses'Access);
+   Run ("STM32 PWM: pulses of 1 to 2 ms for all words", Limit_Pulses'Access);
+   Run ("SysTick: started, changed and stopped", Start_SysTick'Access);
+   Run ("SysTick: a timer's periods between any two accesses",
+        Take_SysTick_Periods'Access);
    Set_Exit_Status (if All_Passed then Success else Failure);
 end Test_Chips;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1, BRD-2, BRD-3, TST-5: both nodes on a bare Cortex-M4, in QEMU, beside the
+"""BRD-1, BRD-2, BRD-3, BRD-9, TST-5: both nodes on a bare Cortex-M4, in QEMU, beside the
 simulation of the same flight."""
 
 import socket
@@ -14,6 +14,7 @@ import emulated
 import image_sum
 
 MACHINE = emulated.CORTEX_M
+SERVOS = 13
 ROM, SCRATCHPAD = 0x08000000, 0x20010000
 pytestmark = bare.needs(MACHINE)
 
@@ -50,6 +51,17 @@ def test_brd1_a_difference_is_found(tmp_path):
     rows[30]["gsc.downlink.alpha"] = "4096"
     assert list(emulated.differences(rows, runs)) == [
         (20, "pwm"), (30, "gsc.downlink")]
+
+
+def test_brd9_the_servos_timers_have_the_pulses_of_the_words(tmp_path):
+    """1 to 2 ms. QEMU keeps the timers' registers; it shows no output."""
+    rows, runs = MACHINE.fly_both(tmp_path, 1, laws=False)
+    pulses = runs["mcs"].pulses
+    expected = [1000 + word * 1000 // 4095
+                for word in emulated.words(rows[-1], "pwm")]
+    assert len(set(pulses)) > 5
+    assert pulses[:SERVOS] == expected[:SERVOS]
+    assert all(1000 <= pulse <= 2000 for pulse in pulses)
 
 
 def test_brd2_d81_a_fault_of_the_processor_restarts_it(tmp_path):

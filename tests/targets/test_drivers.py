@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-6: the drivers of the chips, beside simulated chips on a host."""
+"""BRD-6, BRD-9: the drivers of the chips, beside simulated chips on a host."""
 
 import itertools
 import os
@@ -23,7 +23,15 @@ TESTS = [
     "STM32 USART: characters between any two accesses",
     "STM32 USART: a character is given only to a free sender",
     "STM32 watchdog: started with its time, and locked",
-    "STM32 watchdog: each feed begins its time again"]
+    "STM32 watchdog: each feed begins its time again",
+    "STM32 ADC: set up during a conversion",
+    "STM32 ADC: a conversion ends between any two accesses",
+    "STM32 ADC: a value that is not taken is an overrun",
+    "STM32 PWM: no output before the pulses are right",
+    "STM32 PWM: a pulse changes at the end of its period",
+    "STM32 PWM: pulses of 1 to 2 ms for all words",
+    "SysTick: started, changed and stopped",
+    "SysTick: a timer's periods between any two accesses"]
 
 
 def built(folder):
@@ -43,7 +51,7 @@ def failed_tests(program):
     return failed
 
 
-def test_brd6_brd7_the_drivers_report_each_event_once():
+def test_brd6_brd7_brd9_the_drivers_report_each_event_once():
     assert failed_tests(built(bare.ROOT)) == set()
 
 
@@ -90,10 +98,37 @@ def write(path, text):
      "   procedure Feed is\n   begin\n"
      "      Write_Key (STM32_Watchdog.Feed);\n",
      "   procedure Feed is\n   begin\n      Write_Key (Unlock);\n", TESTS[9]),
+    ("stm32_adc/stm32_adc-conversions.adb",
+     "      Write_Status ((others => False));\n", "", TESTS[10]),
+    ("stm32_adc/stm32_adc-conversions.adb",
+     "         Read_Status (After);\n", "         After := Before;\n",
+     TESTS[12]),
+    ("stm32_adc/stm32_adc-conversions.adb",
+     "            Write_Status ((Overrun => False, others => True));\n", "",
+     TESTS[12]),
+    ("stm32_pwm/stm32_pwm-pulses.adb",
+     "First_Is_Saved | Second_Is_Saved => True,",
+     "First_Is_Saved | Second_Is_Saved => False,", TESTS[13]),
+    ("stm32_pwm/stm32_pwm-pulses.adb",
+     "      Generate_Update (Timer);\n", "", TESTS[13]),
+    ("stm32_pwm/stm32_pwm-pulses.adb",
+     "      Write_Outputs (Timer, No_Output);\n", "", TESTS[13]),
+    ("stm32_pwm/stm32_pwm.ads",
+     "* 1_000 / 16#FFF#", "* 1_000 / 16#1000#", TESTS[15]),
+    ("cortex_systick/cortex_systick-timers.adb",
+     "   begin\n      Write_Control (Stopped);\n      Write_Reload",
+     "   begin\n      Write_Reload", TESTS[16]),
+    ("cortex_systick/cortex_systick-timers.adb",
+     "      Clear_Current;\n", "", TESTS[16]),
+    ("cortex_systick/cortex_systick-timers.adb",
+     "Is_Due := Now.Has_Ended;", "Is_Due := Now.Counts;", TESTS[17]),
 ], ids=["overrun reset unseen", "mode pointer", "framing", "period unseen",
         "overrun alone", "overrun not reported", "watchdog locked",
-        "watchdog not fed"])
-def test_brd6_d92_a_planted_fault_of_a_driver_is_found(
+        "watchdog not fed", "old value", "one look", "overrun stays",
+        "pulse cut", "values not taken", "output while set up",
+        "longest pulse", "started while it counts", "old count",
+        "wrong flag"])
+def test_brd6_brd9_d92_a_planted_fault_of_a_driver_is_found(
         copy, name, text, planted, found):
     path = copy / "targets/drivers" / name
     good = path.read_text()

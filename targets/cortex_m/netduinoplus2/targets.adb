@@ -12,13 +12,16 @@
 --  therefore delays each character by Quantum - 1 character times, and the
 --  flight is the same on every machine.
 
+with Cortex_SysTick.Timers;
 with Machine_Texts;        use Machine_Texts;
 with Registers;            use Registers;
+with Servo_Outputs;
 with Stack_Marks;
 with STM32_USART;          use STM32_USART;
 with STM32_USART.Channels; use STM32_USART.Channels;
 with STM32_USART.Registers;
 with STM32_Watchdog.Timers;
+with System.Storage_Elements; use System.Storage_Elements;
 with Tapes;                use Tapes;
 
 package body Targets is
@@ -114,9 +117,6 @@ package body Targets is
    All_Busy    : Unsigned_32 := 0;   --  in units of 16 cycles
    Counted     : Unsigned_32 := 0;
 
-   Servos : Devices.PWM_Board.Data_Area := (others => 0)
-   with Volatile;
-
    procedure On_SysTick
    with Export, Convention => C, External_Name => "urv_systick";
 
@@ -145,16 +145,18 @@ package body Targets is
 
    procedure Count_Busy;
 
+   procedure Put_Pulses;
+
    procedure End_Run with No_Return;
 
    procedure Stop_Time is
    begin
-      SysTick.Control := Timer_Interrupts + Timer_On_Main_Clock;
+      Cortex_SysTick.Timers.Stop;
    end Stop_Time;
 
    procedure Resume_Time is
    begin
-      SysTick.Control := Timer_On + Timer_Interrupts + Timer_On_Main_Clock;
+      Cortex_SysTick.Timers.Resume;
    end Resume_Time;
 
    function Next_Event (After : Unsigned_32) return Unsigned_32 is
@@ -178,6 +180,7 @@ package body Targets is
       Open_Console;
       Set_Up (Line, Cycles_Per_Bit, Interrupt => True);
       System_Priorities := SysTick_Last;
+      Servo_Outputs.Open;
       Watchdog_Runs := False;
       if not Has_Begun then
          Next_Tick := (1 + Tape.Lag) * Tick_Period;
@@ -205,12 +208,11 @@ package body Targets is
          end if;
          Then_Time := Next_Event (0);
       end if;
-      SysTick.Reload := Register
-        ((Then_Time - Now) * Cycles_Per_Microsecond - 1);
-      SysTick.Current := 0;
-      Resume_Time;
-      SysTick.Reload := Register
-        ((Next_Event (Then_Time) - Then_Time) * Cycles_Per_Microsecond - 1);
+      Cortex_SysTick.Timers.Start
+        (Natural (Then_Time - Now) * Cycles_Per_Microsecond);
+      Cortex_SysTick.Timers.Set_Next
+        (Natural (Next_Event (Then_Time) - Then_Time)
+         * Cycles_Per_Microsecond);
       Restore (0);
    end Start_Clock;
 
@@ -357,8 +359,9 @@ package body Targets is
    begin
       Now := Then_Time;
       Then_Time := Next_Event (Now);
-      SysTick.Reload := Register
-        ((Next_Event (Then_Time) - Then_Time) * Cycles_Per_Microsecond - 1);
+      Cortex_SysTick.Timers.Set_Next
+        (Natural (Next_Event (Then_Time) - Then_Time)
+         * Cycles_Per_Microsecond);
       if Now >= Next_Character then
          Next_Character := Next_Character + Character_Period;
          Begin_Character;
@@ -369,9 +372,33 @@ package body Targets is
       end if;
    end On_SysTick;
 
+   --  The lengths of the servos' pulses, in microseconds, as their timers have
+   --  them.
+   procedure Put_Pulses is
+      type Compare_Registers is array (Unsigned_32 range 0 .. 3) of Register;
+      type Timer_Number is mod 4;
+   begin
+      Put ("pulses");
+      for Timer in Timer_Number loop
+         declare
+            Compare : Compare_Registers
+            with
+              Import,
+              Address =>
+                To_Address (16#4000_0034# + 16#400# * Integer_Address (Timer));
+         begin
+            for Each of Compare loop
+               Put_Word (Unsigned_16 (Each and 16#FFFF#));
+            end loop;
+         end;
+      end loop;
+      Put_Line;
+   end Put_Pulses;
+
    procedure End_Run is
    begin
       Put_Counts;
+      Put_Pulses;
       Put ("cycles");
       Put_Labelled ("worst", Most_Busy);
       Put_Labelled
@@ -395,11 +422,13 @@ package body Targets is
    end Sleep;
 
    procedure Wait is
+      Left : Natural;
    begin
       case Event_Now is
          when None =>
             if (Interrupt_State and SysTick_Pending) = 0 then
-               Idle := Idle + Unsigned_32 (SysTick.Current);
+               Cortex_SysTick.Timers.Look (Left);
+               Idle := Idle + Unsigned_32 (Left);
             end if;
             Wait_For_Interrupt;
 
@@ -447,7 +476,7 @@ package body Targets is
 
    procedure Write_Servos (Area : Devices.PWM_Board.Data_Area) is
    begin
-      Servos := Area;
+      Servo_Outputs.Write (Area);
    end Write_Servos;
 
    procedure Put (Text : String) is
