@@ -118,48 +118,98 @@ class Debugger:
         self.socket.sendall(b"+")
         return answer.decode()
 
+    def go_to(self, place):
+        """Runs until the processor is at this place."""
+        assert self.ask(f"Z1,{place:x},2") == "OK"
+        assert self.ask("c").startswith("T05")
+        assert self.register(15) == place
+        assert self.ask(f"z1,{place:x},2") == "OK"
+
+    def jump(self, place):
+        registers = self.ask("g")
+        where = place.to_bytes(4, "little").hex()
+        assert self.ask(
+            f"G{registers[:120]}{where}{registers[128:]}") == "OK"
+
     def register(self, number):
         registers = bytes.fromhex(self.ask("g"))
         return int.from_bytes(registers[4 * number:4 * number + 4], "little")
 
 
-def spoil_a_read(path, place, found):
-    """The third read-back of the march finds another bit."""
-    debugger = Debugger(path)
-    assert debugger.ask(f"Z1,{place:x},2") == "OK"
+def address(symbol):
+    symbols = subprocess.run(
+        [f"{MACHINE.prefix}nm", MACHINE.images / "mcs.elf"],
+        check=True, capture_output=True, text=True).stdout
+    return next(int(line.split()[0], 16) for line in symbols.splitlines()
+                if line.endswith(f" {symbol}")) & ~1
+
+
+def read_back():
+    """The place where the march first reads what it has written."""
+    instruction = b"\x05\x68"         # ldr r5, [r0]
+    program = (MACHINE.images / "mcs.bin").read_bytes()
+    return program.index(instruction, address("urv_march") - ROM) + ROM
+
+
+def fly_debugged(folder, monkeypatch, actions):
+    """A flight whose emulator a debugger first stops; its actions run in a
+    thread. The run, and the words that they have found."""
+    path = folder / "debugger"
+    monkeypatch.setattr(MACHINE, "more", (
+        "-gdb", f"unix:{path},server=on", "-S"))
+    found = []
+
+    def debug():
+        debugger = Debugger(path)
+        try:
+            actions(debugger, found)
+        finally:
+            debugger.socket.close()
+
+    thread = threading.Thread(target=debug, daemon=True)
+    thread.start()
+    run = MACHINE.fly({"mcs": emulated.Tape(0.5)}, folder)["mcs"]
+    thread.join(emulated.LIMIT_S)
+    return run, found
+
+
+def restart_within_a_test(debugger, found):
+    """The processor restarts while the first cell has another word."""
+    debugger.go_to(read_back())
+    cell = debugger.register(0)
+    found.append(cell)
+    found.append(debugger.ask(f"m{cell:x},4"))
+    debugger.jump(address("urv_restart_processor"))
+    debugger.go_to(address("urv_run"))
+    found.append(debugger.ask(f"m{cell:x},4"))
+    found.append(debugger.ask(f"m{address('urv_kept') + 16:x},4"))
+    debugger.ask("D")
+
+
+def test_tst5_a_restart_within_the_test_of_a_cell_keeps_its_contents(
+        tmp_path, monkeypatch):
+    run, found = fly_debugged(tmp_path, monkeypatch, restart_within_a_test)
+    assert found == [SCRATCHPAD, "ffffffff", "00000000", "00000000"]
+    assert run.has("MCS processor restart")
+
+
+def spoil_a_read(debugger, found):
+    """The first read-back of the third cell finds another bit."""
     for number in range(3):
-        assert debugger.ask("c").startswith("T05")
-        assert debugger.register(15) == place
+        debugger.go_to(read_back())
         if number < 2:
             debugger.ask("s")
     cell = debugger.register(0)
     wrong = debugger.register(1) ^ 0x10
     debugger.ask(f"M{cell:x},4:" + wrong.to_bytes(4, "little").hex())
     found.append(cell)
-    assert debugger.ask(f"z1,{place:x},2") == "OK"
     debugger.ask("D")
 
 
 def test_tst5_a_cell_that_reads_another_value_is_reported(
         tmp_path, monkeypatch):
     """QEMU has no stuck bits: the debugger changes a cell within its test."""
-    symbols = subprocess.run(
-        [f"{MACHINE.prefix}nm", MACHINE.images / "mcs.elf"],
-        check=True, capture_output=True, text=True).stdout
-    march = next(int(line.split()[0], 16) for line in symbols.splitlines()
-                 if line.endswith(" urv_march")) & ~1
-    read_back = b"\x05\x68"         # ldr r5, [r0]
-    program = (MACHINE.images / "mcs.bin").read_bytes()
-    place = program.index(read_back, march - ROM) + ROM
-    path = tmp_path / "debugger"
-    monkeypatch.setattr(MACHINE, "more", (
-        "-gdb", f"unix:{path},server=on", "-S"), raising=False)
-    found = []
-    debugger = threading.Thread(
-        target=spoil_a_read, args=(path, place, found), daemon=True)
-    debugger.start()
-    run = MACHINE.fly({"mcs": emulated.Tape(0.5)}, tmp_path)["mcs"]
-    debugger.join(emulated.LIMIT_S)
+    run, found = fly_debugged(tmp_path, monkeypatch, spoil_a_read)
     assert found == [SCRATCHPAD + 8]
     assert run.has("MCS started")
     last = max(run.rows)

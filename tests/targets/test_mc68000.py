@@ -190,23 +190,42 @@ def test_tst5_a_cell_that_the_march_has_just_left_is_found_in_a_pass(tmp_path):
 
 
 def test_tst5_a_restart_within_the_test_of_a_cell_keeps_its_contents(tmp_path):
-    """The board compares."""
+    """The board compares. An interrupt waits for the end of the test."""
     bare.restarts(MACHINE, tmp_path,
-                  [(emulated.ILLEGAL_IN_RAM_TEST, ILLEGAL)] * 2)
+                  [(emulated.ILLEGAL_IN_RAM_TEST, ILLEGAL),
+                   (emulated.INTERRUPT_IN_RAM_TEST, UNUSED_VECTOR)])
     assert error_of_board(tmp_path) == ""
 
 
-def test_tst5_a_test_that_changes_its_cell_is_found(tmp_path):
-    """The board reports the instruction that does not give back the contents."""
-    write_back, compare, nothing = b"\x20\x82", b"\xb4\x90", b"\x4e\x71"
+# Machine code of the march: the write that gives the contents back, and the
+# comparison after it; the mask, and the first read; the write that gives the
+# contents back at a start, and the reset of the kept address.
+NOTHING = "4e71"
+PLANTED = {
+    "contents not given back":
+        ("2082", "b490", "a test has changed the cell"),
+    "not masked":
+        ("46fc2700", "2410", "an interrupt while a cell is tested"),
+    "not given back at a start":
+        ("20ab0014", "42ab0010", "a test has changed the cell")}
+
+
+@pytest.mark.parametrize("name", PLANTED)
+def test_tst5_a_planted_fault_of_the_march_is_found(tmp_path, name):
+    removed, after, error = PLANTED[name]
     program = (MACHINE.images / "mcs.raw").read_bytes()
-    assert program.count(write_back + compare) == 1
+    good = bytes.fromhex(removed + after)
+    assert program.count(good) == 1
     image = tmp_path / "mcs.bin"
     image.write_bytes(image_sum.image_of(
-        program.replace(write_back + compare, nothing + compare),
+        program.replace(good, bytes.fromhex(
+            NOTHING * (len(removed) // len(NOTHING)) + after)),
         MACHINE.rom_size))
-    MACHINE.fly({"mcs": emulated.Tape(1)}, tmp_path, {"mcs": image})
-    assert "a test has changed the cell" in error_of_board(tmp_path)
+    tape = emulated.Tape(1)
+    tape.plant(200, emulated.INTERRUPT_IN_RAM_TEST if name == "not masked"
+               else emulated.ILLEGAL_IN_RAM_TEST)
+    MACHINE.fly({"mcs": tape}, tmp_path, {"mcs": image})
+    assert error in error_of_board(tmp_path)
 
 
 def test_tst5_the_march_delays_no_interrupt_of_a_flight(tmp_path):

@@ -73,6 +73,7 @@ enum {
    TICK_US = 2000,
    WATCHDOG_US = 100000,
    WATCHDOG_VECTOR = 31,
+   UNUSED_VECTOR = 200,
    TICKS_PER_FRAME = 10,
    SLICE_US = 48,
    AHEAD_CYCLES = 64,                 /* of the node's other processor */
@@ -97,6 +98,7 @@ enum event {
    WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS,
    PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER, ENDLESS_LOOP, LOST_TIMER,
    ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK, STUCK_BITS, ILLEGAL_IN_RAM_TEST,
+   INTERRUPT_IN_RAM_TEST,
 
    ON_TELEMETRY_BOARD = 32            /* is added to an event of that board */
 };
@@ -161,7 +163,7 @@ struct node {
    unsigned stuck_at;                 /* bits of a byte in RAM, and their value */
    uint8_t stuck_bits, stuck_value;
    unsigned cell, contents;           /* under test, and before the test */
-   bool illegal_in_test;              /* an illegal instruction in the next one */
+   enum event in_test;                /* an event in the next one */
    struct node *partner;              /* the node's other one */
    uint8_t *dual;                     /* the memory of both */
    FILE *console;
@@ -762,7 +764,7 @@ void board_reset(void)
    node->converter = none;
    node->watched = node->bites = false;
    node->planted = node->planted_with_lock = NULL;
-   node->illegal_in_test = false;
+   node->in_test = WORDS;
    node->depth = 0;
    node->call_depth = 0;
    request();
@@ -891,10 +893,6 @@ static void look_at_test(unsigned where)
       node->cell = where;
       node->contents = m68k_read_memory_32(where);
       node->test_begun = now();
-      if (node->illegal_in_test) {
-         node->illegal_in_test = false;
-         plant(illegal_words);
-      }
    } else if (where == 0 && node->cell != 0) {
       contents = m68k_read_memory_32(node->cell);
       if (contents != node->contents)
@@ -906,8 +904,24 @@ static void look_at_test(unsigned where)
       fail("a test did not end at", node->cell);
 }
 
+/* The cell under test has another word than before. */
+static void happen_in_test(void)
+{
+   if (node->in_test == ILLEGAL_IN_RAM_TEST)
+      plant(illegal_words);
+   else if (node->in_test == INTERRUPT_IN_RAM_TEST) {
+      node->unexpected_interrupt = UNUSED_VECTOR;
+      request();
+      look_again();
+   }
+   node->in_test = WORDS;
+}
+
 void m68k_write_memory_32(unsigned int where, unsigned int value)
 {
+   if (node->cell != 0 && (where & 0xFFFFFF) == node->cell
+       && value != node->contents)
+      happen_in_test();
    if ((where & 0xFFFFFF) == CELL_UNDER_TEST && !node->is_telemetry_board)
       look_at_test(value);
    m68k_write_memory_16(where, value >> 16);
@@ -931,7 +945,7 @@ static void happen(uint32_t event, const uint8_t *words)
    switch (event) {
    case WORDS: node->words = words; break;
    case ILLEGAL_INSTRUCTION: plant(illegal_words); break;
-   case UNEXPECTED_INTERRUPT: node->unexpected_interrupt = 200; break;
+   case UNEXPECTED_INTERRUPT: node->unexpected_interrupt = UNUSED_VECTOR; break;
    case ODD_ADDRESS: plant(odd_words); break;
    case PARITY_ERROR: node->next_errors = WRONG_PARITY; break;
    case FRAMING_ERROR: node->next_errors = WRONG_FRAME; break;
@@ -945,7 +959,9 @@ static void happen(uint32_t event, const uint8_t *words)
       node->stuck_bits = (uint8_t)number(words + 4, 2);
       node->stuck_value = (uint8_t)number(words + 6, 2);
       break;
-   case ILLEGAL_IN_RAM_TEST: node->illegal_in_test = true; break;
+   case ILLEGAL_IN_RAM_TEST: case INTERRUPT_IN_RAM_TEST:
+      node->in_test = event;
+      break;
    default: fail("an event that is not emulated", event);
    }
 }
