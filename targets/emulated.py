@@ -94,7 +94,13 @@ class Tape:
         """From a time on, these bits of a byte read as those of the value."""
         assert value & ~bits == 0
         self.entries.append((self.tick(time_ms), STUCK_BITS,
-                             [address & 0xFFFF, address >> 16, bits, value]))
+                             [address & 0xFFFF, address >> 16, bits, value, 0]))
+
+    def couple(self, time_ms, address, bit, other):
+        """From a time on, a bit of a long word reads as another bit of it."""
+        address += 3 - bit // 8
+        self.entries.append((self.tick(time_ms), STUCK_BITS, [
+            address & 0xFFFF, address >> 16, 1 << bit % 8, 0, other + 1]))
 
     def tick(self, time_ms):
         """The first tick of the node that is not before a time."""

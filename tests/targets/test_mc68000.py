@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1 to BRD-4, BRD-8, TST-5: both nodes on the report's processor, on an emulated board
-beside the simulation of the same flight."""
+"""BRD-1 to BRD-4, BRD-8, TST-5: both nodes on the report's processor, on an
+emulated board beside the simulation of the same flight."""
 
 import subprocess
 
@@ -131,6 +131,15 @@ def found_in(run, where):
                default=None)
 
 
+def changed(good, planted):
+    """The image with other machine code at one place."""
+    program = (MACHINE.images / "mcs.raw").read_bytes()
+    assert program.count(bytes.fromhex(good)) == 1
+    return image_sum.image_of(
+        program.replace(bytes.fromhex(good), bytes.fromhex(planted)),
+        MACHINE.rom_size)
+
+
 def error_of_board(folder):
     return (folder / "board.err").read_text()
 
@@ -155,6 +164,34 @@ def test_tst5_each_bit_of_a_cell_that_becomes_stuck_in_flight_is_found(
     assert run.downlink(last)[-1] & SELF_TEST_BIT
     assert run.numbers["overruns"] == 0
     assert error_of_board(tmp_path) == ""
+
+
+def pairs_found(folder, images=None):
+    """Pairs of bits of a cell, of which one begins to follow the other. The two
+    bits of a pair differ in one background alone."""
+    others = (1, 2, 4, 8, 16)
+    pairs = [(0, other) for other in others] + [(other, 0) for other in others]
+    tape = emulated.Tape(0.3)
+    places = {}
+    for number, pair in enumerate(pairs):
+        tick = 20 + 10 * number
+        places[pair] = SCRATCHPAD + 4 * CELLS_PER_TICK * (tick + 5)
+        tape.couple(emulated.TICK_MS * tick, places[pair], *pair)
+    run = MACHINE.fly({"mcs": tape}, folder, images)["mcs"]
+    return {pair: found_in(run, where) == 2 + number
+            for number, (pair, where) in enumerate(places.items())}
+
+
+def test_tst5_a_bit_that_follows_another_one_of_its_cell_is_found(tmp_path):
+    assert set(pairs_found(tmp_path).values()) == {True}
+
+
+def test_tst5_each_background_is_needed(tmp_path):
+    """Without 33333333h bits 0 and 2 are always alike."""
+    image = tmp_path / "mcs.bin"
+    image.write_bytes(changed("223c33333333", "223c55555555"))
+    assert [pair for pair, is_found in pairs_found(
+        tmp_path, {"mcs": image}).items() if not is_found] == [(0, 2), (2, 0)]
 
 
 def test_tst5_a_stuck_cell_anywhere_in_ram_is_found(tmp_path):
@@ -213,14 +250,10 @@ PLANTED = {
 @pytest.mark.parametrize("name", PLANTED)
 def test_tst5_a_planted_fault_of_the_march_is_found(tmp_path, name):
     removed, after, error = PLANTED[name]
-    program = (MACHINE.images / "mcs.raw").read_bytes()
-    good = bytes.fromhex(removed + after)
-    assert program.count(good) == 1
     image = tmp_path / "mcs.bin"
-    image.write_bytes(image_sum.image_of(
-        program.replace(good, bytes.fromhex(
-            NOTHING * (len(removed) // len(NOTHING)) + after)),
-        MACHINE.rom_size))
+    image.write_bytes(changed(
+        removed + after,
+        NOTHING * (len(removed) // len(NOTHING)) + after))
     tape = emulated.Tape(1)
     tape.plant(200, emulated.INTERRUPT_IN_RAM_TEST if name == "not masked"
                else emulated.ILLEGAL_IN_RAM_TEST)

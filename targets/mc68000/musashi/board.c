@@ -10,7 +10,8 @@
    counts the cycles of the calls of these subprograms, without the interrupts
    and the other subprograms of the file that they contain. With a file
    OUTPUT/NODE.stuck, "address bits", both hexadecimal, these bits of a byte in
-   the controller's RAM always read as 0. A tape can make bits stick later.
+   the controller's RAM always read as 0. A tape can make bits stick later, or
+   follow another bit.
 
    While the controller tests a cell of its RAM in flight, the fifth long word of
    the kept ones has the cell's address. When the test ends, the cell must have
@@ -162,6 +163,8 @@ struct node {
    bool is_telemetry_board;
    unsigned stuck_at;                 /* bits of a byte in RAM, and their value */
    uint8_t stuck_bits, stuck_value;
+   unsigned follows;                  /* 0: none; else they read as the bit with
+                                         this number, from 1, of the long word */
    unsigned cell, contents;           /* under test, and before the test */
    enum event in_test;                /* an event in the next one */
    struct node *partner;              /* the node's other one */
@@ -803,15 +806,23 @@ static void write_lock(uint8_t before, uint8_t value)
    }
 }
 
+static unsigned stuck_byte(unsigned where)
+{
+   unsigned value = node->stuck_value;
+
+   if (node->follows)
+      value = ram_long(where & ~3U) >> (node->follows - 1) & 1
+         ? node->stuck_bits : 0;
+   return (node->ram[where - RAM_START] & ~node->stuck_bits) | value;
+}
+
 unsigned int m68k_read_memory_8(unsigned int where)
 {
    where &= 0xFFFFFF;
    if (where < ROM_SIZE)
       return node->rom[where];
    if (where - RAM_START < RAM_SIZE)
-      return where == node->stuck_at
-         ? (node->ram[where - RAM_START] & ~node->stuck_bits)
-            | node->stuck_value
+      return where == node->stuck_at ? stuck_byte(where)
          : node->ram[where - RAM_START];
    if (where - DUAL_START < DUAL_SIZE)
       return node->dual[where - DUAL_START];
@@ -958,6 +969,7 @@ static void happen(uint32_t event, const uint8_t *words)
       node->stuck_at = long_number(words);
       node->stuck_bits = (uint8_t)number(words + 4, 2);
       node->stuck_value = (uint8_t)number(words + 6, 2);
+      node->follows = number(words + 8, 2);
       break;
    case ILLEGAL_IN_RAM_TEST: case INTERRUPT_IN_RAM_TEST:
       node->in_test = event;
