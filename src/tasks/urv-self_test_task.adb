@@ -10,16 +10,17 @@ package body URV.Self_Test_Task with SPARK_Mode is
    use Checks;
 
    --  Records the end of a pass: the numbers of passes since the start that
-   --  found the image right and wrong.
+   --  found the image right and wrong. The node's other error bits stay.
    procedure Write_Result (Good_Passes, Bad_Passes : Count);
 
    procedure Write_Result (Good_Passes, Bad_Passes : Count) is
+      Errors_Before : constant Word := Node_Status.Contents;
    begin
       CORE_Memory.Write_Status
         ((ROM_Passes   => To_Word (Good_Passes),
           ROM_Failures => To_Word (Bad_Passes)));
       if Bad_Passes > 0 then
-         Node_Status.Write (ROM_Differs);
+         Node_Status.Write (Errors_Before or ROM_Differs);
       end if;
    end Write_Result;
 

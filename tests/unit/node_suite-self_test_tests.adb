@@ -15,6 +15,7 @@ with URVOS.ROM_Checks;
 with URVOS.Self_Tests;      use URVOS.Self_Tests;
 with URVOS.Start_Tests;
 with URVOS.Starts;
+with URV.Buffers;           use URV.Buffers;
 with URV.CORE_Memory;       use URV.CORE_Memory;
 with URV.Errors;            use URV.Errors;
 with URV.Self_Test_Task;
@@ -645,6 +646,9 @@ package body Self_Test_Tests is
          elsif Frame = 4 * 512 then
             --  This pass has already read it.
             Repair (1);
+         elsif Frame = 4 * 512 + 100 then
+            --  The march in flight has found a cell.
+            Status.Write (ROM_Differs or URV.Buffers.Self_Test_Failed);
          end if;
          In_Flight.Run_Transaction;
          Expect_Number
@@ -652,7 +656,9 @@ package body Self_Test_Tests is
             (if Frame < 3 * 512 then 0 elsif Frame < 4 * 512 then 1 else 2));
          Expect
            ("status in frame" & Frame'Image, Status.Contents,
-            (if Frame < 3 * 512 then 0 else 2));
+            (if Frame < 3 * 512 then 0
+             elsif Frame < 4 * 512 + 100 then ROM_Differs
+             else ROM_Differs or URV.Buffers.Self_Test_Failed));
       end loop;
       Expect ("good passes", Good, 3);
       Expect ("bad passes", Bad, 2);
