@@ -70,6 +70,37 @@ package URV.Servo_Models with Pure, SPARK_Mode is
            Slowest_Flap * Microseconds_Per_Step / Per_Step)
    with Global => null;
 
+   --  The movement of the slowest sound servo in a step: its share of the
+   --  distance, within its rate limit. A 68000 divides slowly, so the share is
+   --  a product of 16 by 16 bits and a shift. A distance of more than 16 bits
+   --  is always limited.
+
+   Longest_Short : constant := 2 ** 16 - 1;
+   type Short_Distance is range 0 .. Longest_Short
+   with Size => 16;
+
+   Least_Moving : constant := (1_000 + Slowest_Share - 1) / Slowest_Share;
+   Factor       : constant := 27_263;
+   Divisor      : constant := 2 ** 20 * 26 / Slowest_Share;
+
+   pragma Compile_Time_Error
+     (Factor * 1_000 < Slowest_Share * Divisor
+        or else (Factor * 1_000 - Slowest_Share * Divisor) * Longest_Short
+                  >= (2 - Slowest_Share mod 2) * Divisor
+        or else Longest_Short * Slowest_Share / 1_000 < Rate_Limit'Last,
+      "the product is not the slowest servo's share for this frame");
+
+   function Movement (Distance : Number; Slowest : Rate_Limit) return Number
+   is
+     (if Distance < Least_Moving then 0
+      elsif Distance > Longest_Short then Slowest
+      else Integer'Min
+        (Slowest, Integer (Short_Distance (Distance)) * Factor / Divisor))
+   with
+     Global => null,
+     Pre    => Distance in 0 .. Fine'Last - Fine'First,
+     Post   => Movement'Result = Integer'Min (Slowest, Part_Of (Distance));
+
    --  One per cent of the travel, in words. A servo may rest that far on
    --  either side of its word.
    function Dead_Band (Item : Surface) return Demand is
@@ -83,24 +114,42 @@ package URV.Servo_Models with Pure, SPARK_Mode is
 
    --  The range to which these words may send a sound servo. A servo may or
    --  may not follow a word beyond the linkage's stop.
+
+   function Least_Word (Words : Word_History) return Demand is
+     (Integer'Min (Words.First, Integer'Min (Words.Before, Words.Last)))
+   with Global => null;
+
+   function Most_Word (Words : Word_History) return Demand is
+     (Integer'Max (Words.First, Integer'Max (Words.Before, Words.Last)))
+   with Global => null;
+
    function Goals_Of (Which : Surface; Words : Word_History) return Bounds is
      (Least => Per_Word *
-        (Integer'Min
-           (Integer'Min
-              (Integer'Min (Words.First, Reachable (Which, Words.First)),
-               Integer'Min (Words.Before, Reachable (Which, Words.Before))),
-            Integer'Min (Words.Last, Reachable (Which, Words.Last)))
+        (Integer'Min (Least_Word (Words), Highest (Which))
          - Dead_Band (Which)),
       Most  => Per_Word *
-        (Integer'Max
-           (Integer'Max
-              (Integer'Max (Words.First, Reachable (Which, Words.First)),
-               Integer'Max (Words.Before, Reachable (Which, Words.Before))),
-            Integer'Max (Words.Last, Reachable (Which, Words.Last)))
+        (Integer'Max (Most_Word (Words), Lowest (Which))
          + Dead_Band (Which)))
    with
      Global => null,
-     Post   => Goals_Of'Result.Least <= Goals_Of'Result.Most;
+     Post   =>
+       Goals_Of'Result.Least <= Goals_Of'Result.Most
+
+       --  The same, word by word.
+       and then Goals_Of'Result.Least = Per_Word *
+         (Integer'Min
+            (Integer'Min
+               (Integer'Min (Words.First, Reachable (Which, Words.First)),
+                Integer'Min (Words.Before, Reachable (Which, Words.Before))),
+             Integer'Min (Words.Last, Reachable (Which, Words.Last)))
+          - Dead_Band (Which))
+       and then Goals_Of'Result.Most = Per_Word *
+         (Integer'Max
+            (Integer'Max
+               (Integer'Max (Words.First, Reachable (Which, Words.First)),
+                Integer'Max (Words.Before, Reachable (Which, Words.Before))),
+             Integer'Max (Words.Last, Reachable (Which, Words.Last)))
+          + Dead_Band (Which));
 
    --  A bound after a step: it widens to the goal at once, or narrows towards
    --  it
@@ -109,7 +158,7 @@ package URV.Servo_Models with Pure, SPARK_Mode is
      (From, Goal : Fine; Slowest : Rate_Limit) return Fine
    is
      (if Goal >= From then Goal
-      else From - Integer'Min (Slowest, Part_Of (From - Goal)))
+      else From - Movement (From - Goal, Slowest))
    with
      Global => null,
      Post   => Most_After'Result in Goal .. Integer'Max (From, Goal);
@@ -118,7 +167,7 @@ package URV.Servo_Models with Pure, SPARK_Mode is
      (From, Goal : Fine; Slowest : Rate_Limit) return Fine
    is
      (if Goal <= From then Goal
-      else From + Integer'Min (Slowest, Part_Of (Goal - From)))
+      else From + Movement (Goal - From, Slowest))
    with
      Global => null,
      Post   => Least_After'Result in Integer'Min (From, Goal) .. Goal;
@@ -136,17 +185,55 @@ package URV.Servo_Models with Pure, SPARK_Mode is
      (After_Step (After_Step (From, Goals, Slowest), Goals, Slowest))
    with Global => null;
 
-   --  The bounds at the next scan.
+   --  The bounds at the next scan. A bound near its goal does not move.
+
+   function Least_After_Frame
+     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+   is
+     (if Goal <= From then Goal
+      elsif Goal - From < Least_Moving then From
+      else Least_After
+        (Least_After
+           (Least_After
+              (Least_After
+                 (Least_After (From, Goal, Slowest), Goal, Slowest),
+               Goal, Slowest),
+            Goal, Slowest),
+         Goal, Slowest))
+   with Global => null;
+
+   function Most_After_Frame
+     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+   is
+     (if Goal >= From then Goal
+      elsif From - Goal < Least_Moving then From
+      else Most_After
+        (Most_After
+           (Most_After
+              (Most_After
+                 (Most_After (From, Goal, Slowest), Goal, Slowest),
+               Goal, Slowest),
+            Goal, Slowest),
+         Goal, Slowest))
+   with Global => null;
+
    function After_Frame
      (Which : Surface; From : Bounds; Words : Word_History) return Bounds
    is
-     (After_Step
-        (After_Two_Steps
-           (After_Two_Steps
-              (From, Goals_Of (Which, Words), Slowest_Rate (Which)),
-            Goals_Of (Which, Words), Slowest_Rate (Which)),
-         Goals_Of (Which, Words), Slowest_Rate (Which)))
-   with Global => null;
+     (Least => Least_After_Frame
+        (From.Least, Goals_Of (Which, Words).Least, Slowest_Rate (Which)),
+      Most  => Most_After_Frame
+        (From.Most, Goals_Of (Which, Words).Most, Slowest_Rate (Which)))
+   with
+     Global => null,
+     Post   =>
+       --  Five steps.
+       After_Frame'Result = After_Step
+         (After_Two_Steps
+            (After_Two_Steps
+               (From, Goals_Of (Which, Words), Slowest_Rate (Which)),
+             Goals_Of (Which, Words), Slowest_Rate (Which)),
+          Goals_Of (Which, Words), Slowest_Rate (Which));
 
    --  The distance of a measured position from the bounds, in words; 0 within
    --  them. A surface at its stop is measured there, even if its servo would
@@ -165,10 +252,21 @@ package URV.Servo_Models with Pure, SPARK_Mode is
         (0,
          Integer'Max
            (Measured * Per_Word
-            - Integer'Max (Item.Most, At_Stops (Which, Item.Most)),
-            Integer'Min (Item.Least, At_Stops (Which, Item.Least))
+            - Integer'Max (Item.Most, Per_Word * Lowest (Which)),
+            Integer'Min (Item.Least, Per_Word * Highest (Which))
             - Measured * Per_Word))
       / Per_Word)
-   with Global => null;
+   with
+     Global => null,
+     Post   =>
+       Off'Result =
+         Integer'Max
+           (0,
+            Integer'Max
+              (Measured * Per_Word
+               - Integer'Max (Item.Most, At_Stops (Which, Item.Most)),
+               Integer'Min (Item.Least, At_Stops (Which, Item.Least))
+               - Measured * Per_Word))
+         / Per_Word;
 
 end URV.Servo_Models;

@@ -28,6 +28,10 @@ package body URV.Surface_Monitor with SPARK_Mode is
             This.Doubts (Which) := Doubt;
             This.Places (Which) := Place;
          end if;
+         pragma Assert
+           (This.Places (Which) =
+              (if Is_Old (Sensors) then This.Places'Loop_Entry (Which)
+               else Places_Of (Sensors) (Which)));
 
          pragma Loop_Invariant
            (This.Unknown = This.Unknown'Loop_Entry

@@ -6,10 +6,16 @@
 
 	.text
 
-| 32-bit product
+| 32-bit product, mostly of numbers of 16 bits
 	.globl	__mulsi3
 __mulsi3:
 	move.w	4(%sp), %d0
+	or.w	8(%sp), %d0
+	jne	1f
+	move.w	6(%sp), %d0
+	mulu.w	10(%sp), %d0
+	rts
+1:	move.w	4(%sp), %d0
 	mulu.w	10(%sp), %d0
 	move.w	6(%sp), %d1
 	mulu.w	8(%sp), %d1
