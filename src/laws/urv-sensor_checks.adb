@@ -91,14 +91,20 @@ package body URV.Sensor_Checks with SPARK_Mode is
    procedure Take_Word
      (This : in out Check; Value, Witness : Word; By : Rule)
    is
-      Stuck : constant Stuck_Count :=
-        Next_Stuck (This, Value, Witness, By);
+      Has_Moved : constant Boolean :=
+        not This.Is_Seen or else Value /= This.Anchor;
+      Stuck     : constant Stuck_Count :=
+        (if Has_Moved or else not Has_Left (This, Witness, By) then 0
+         elsif This.Stuck = Stuck_Scans then Stuck_Scans
+         else This.Stuck + 1);
    begin
       if Is_In_Range (Value, By)
         and then Is_Slow (This, Value, By)
         and then Stuck < Stuck_Scans
       then
-         This.Is_Valid := This.Is_Valid or else This.Good >= Good_Scans - 1;
+         if not This.Is_Valid then
+            This.Is_Valid := This.Good >= Good_Scans - 1;
+         end if;
          This.Used := Value;
          This.Bad := 0;
          if This.Good < Good_Scans then
@@ -113,12 +119,12 @@ package body URV.Sensor_Checks with SPARK_Mode is
          end if;
          This.Good := 0;
       end if;
-      if not This.Is_Seen or else Value /= This.Anchor then
+      if Has_Moved then
+         This.Is_Seen := True;
+         This.Anchor := Value;
          This.Witnessed := Witness;
       end if;
-      This.Is_Seen := True;
       This.Last := Value;
-      This.Anchor := Value;
       This.Stuck := Stuck;
    end Take_Word;
 

@@ -100,7 +100,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
    function Is_Slow (This : Check; Value : Word; By : Rule) return Boolean is
      (Distance
         (Value, (if This.Is_Valid then This.Used else This.Last)) <=
-          By.Step * Word (1 + This.Bad))
+          (if This.Bad = 0 then By.Step else By.Step * Word (1 + This.Bad)))
    with Global => null;
 
    function Has_Left (This : Check; Witness : Word; By : Rule) return Boolean

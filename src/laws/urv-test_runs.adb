@@ -55,6 +55,9 @@ package body URV.Test_Runs with SPARK_Mode is
        Selected'Result.Added = This.Added
        and then Selected'Result.Was_On = This.Was_On
        and then
+         (if This.Running = 0 and then not Is_Started (This, Sight)
+          then Selected'Result = This)
+       and then
          (if This.Added /= Nothing_Added
           then Selected'Result.Place = This.Place)
        and then

@@ -132,11 +132,18 @@ package URV.Test_Runs with Pure, SPARK_Mode is
    with Global => null;
 
    --  Switch 5 goes on in new commands, and a card is chosen.
-   function Is_Started (This : Run; Sight : Situation) return Boolean is
-     (Sight.Is_New
-      and then Is_On (Sight.Heard (Switch_5))
+
+   function Is_Started
+     (This : Run; Heard : Uplink_Buffer; Is_New : Boolean) return Boolean
+   is
+     (Is_New
+      and then Is_On (Heard (Switch_5))
       and then not This.Was_On
       and then This.Chosen > 0)
+   with Global => null;
+
+   function Is_Started (This : Run; Sight : Situation) return Boolean is
+     (Is_Started (This, Sight.Heard, Sight.Is_New))
    with Global => null;
 
    --  The next loaded slot after a slot, from the first again after the last;
@@ -181,6 +188,11 @@ package URV.Test_Runs with Pure, SPARK_Mode is
      Post   =>
        (if This.Added = Nothing_Added
         then To_Commands'Result = Law_Inputs.No_Commands);
+
+   --  No card runs, and no inputs of one remain.
+   function Is_Idle (This : Run) return Boolean is
+     (This.Running = 0 and then This.Added = Nothing_Added)
+   with Global => null;
 
    --  The largest input that the running card may have on a surface.
    function Authority (Deck : Card_Deck; This : Run; Which : Test_Surface)
@@ -244,7 +256,16 @@ package URV.Test_Runs with Pure, SPARK_Mode is
 
        and then Next'Result.Was_On =
          (if Sight.Is_New then Is_On (Sight.Heard (Switch_5))
-          else This.Was_On);
+          else This.Was_On)
+
+       --  Without a card only the switch is noted.
+       and then
+         (if Is_Idle (This) and then not Is_Started (This, Sight)
+          then Next'Result =
+            (This with delta
+               Was_On =>
+                 (if Sight.Is_New then Is_On (Sight.Heard (Switch_5))
+                  else This.Was_On)));
 
    --  After a warm start no card runs; the inputs return to 0.
    function After_Restart (This : Aboard) return Aboard is

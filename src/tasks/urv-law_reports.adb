@@ -1,35 +1,58 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URVOS;              use URVOS;
-with URV.Configurations; use URV.Configurations;
-with URV.Errors;         use URV.Errors;
+with URV.Buffers;         use URV.Buffers;
+with URV.Configurations;  use URV.Configurations;
+with URV.Errors;          use URV.Errors;
+with URV.Surface_Monitor; use URV.Surface_Monitor;
+with URV.Surfaces;        use URV.Surfaces;
 
 package body URV.LAW_Reports with SPARK_Mode is
+
+   --  Reports each bit, the lowest with this detail.
+   procedure Report_Bits (Kind : Error_Kind; Bits : Word; First : Word)
+   with Global => (In_Out => Errors);
 
    procedure Report_Changes (Before, After : State)
    with Global => (In_Out => Errors);
 
+   procedure Report_Bits (Kind : Error_Kind; Bits : Word; First : Word) is
+      Rest   : Word := Bits;
+      Detail : Word := First;
+   begin
+      while Rest /= 0 loop
+         pragma Loop_Variant (Decreases => Rest);
+         if (Rest and 1) /= 0 then
+            Errors.Report (Kind, Detail);
+         end if;
+         Rest := Rest / 2;
+         Detail := Detail + 1;
+      end loop;
+   end Report_Bits;
+
    procedure Report_Changes (Before, After : State) is
+      Failed : Word;
    begin
       if After.Link /= Before.Link and then Before.Link /= Waiting then
          Errors.Report
            (Link_Loss_State, Word (Link_State'Pos (After.Link)));
       end if;
-      for Sensor in Sensor_Item loop
-         if Before.Is_Valid (Sensor) and then not After.Is_Valid (Sensor) then
-            Errors.Report
-              (Sensor_Not_Valid, Word (Sensor_Item'Pos (Sensor) + 1));
+      Report_Bits
+        (Sensor_Not_Valid, After.Invalid_Low and not Before.Invalid_Low, 1);
+      Report_Bits
+        (Sensor_Not_Valid, After.Invalid_High and not Before.Invalid_High,
+         17);
+      Failed := After.Failed and not Before.Failed;
+      if Failed /= 0 then
+         for Item in Surface loop
+            if (Failed and Bits_Of ((None with delta Item => True))) /= 0 then
+               Errors.Report
+                 (Surface_Failed,
+                  Word (Sensor_Item'Pos (Sensor_Of (Item)) + 1));
+            end if;
+         end loop;
+         if (Failed and Throttle_Bit) /= 0 then
+            Errors.Report (Surface_Failed, Word (Sensor_Item'Pos (RPM) + 1));
          end if;
-      end loop;
-      for Item in Surface loop
-         if After.Failed (Item) and then not Before.Failed (Item) then
-            Errors.Report
-              (Surface_Failed,
-               Word (Sensor_Item'Pos (Sensor_Of (Item)) + 1));
-         end if;
-      end loop;
-      if After.Engine_Failed and then not Before.Engine_Failed then
-         Errors.Report (Surface_Failed, Word (Sensor_Item'Pos (RPM) + 1));
       end if;
    end Report_Changes;
 

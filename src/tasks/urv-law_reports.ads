@@ -4,35 +4,31 @@
 --  missing inputs, a refused configuration or card, the end of a card, changes
 --  of the link's state, and new failures of sensors, surfaces and the engine.
 
-with URV.Buffers;       use URV.Buffers;
+with URVOS;             use URVOS;
 with URV.LAW_Steps;     use URV.LAW_Steps;
 with URV.Laws;          use URV.Laws;
 with URV.Link_Loss;     use URV.Link_Loss;
+with URV.Recorder_Rows; use URV.Recorder_Rows;
 with URV.Shared_Errors; use URV.Shared_Errors;
-with URV.Surfaces;      use URV.Surfaces;
 with URV.Test_Runs;
 
 generic
    Errors : in out Shared_Log;
 package URV.LAW_Reports with SPARK_Mode is
 
-   --  The parts of LAW's memory whose changes are reported.
-   type Sensor_Flags is array (Sensor_Item) of Boolean
-   with Alignment => 2;
-
+   --  The parts of LAW's memory whose changes are reported. The words are
+   --  those of URV.Law_Status, a bit for each sensor and each surface.
    type State is record
-      Link          : Link_State;
-      Is_Valid      : Sensor_Flags;
-      Failed        : Surface_Flags;
-      Engine_Failed : Boolean;
+      Link                               : Link_State;
+      Invalid_Low, Invalid_High, Failed : Word;
    end record;
 
-   function State_Of (Memory : Kept) return State is
-     ((Link          => Memory.Flown.Link.State,
-       Is_Valid      =>
-         (for Sensor in Sensor_Item => Memory.Flown.Checks (Sensor).Is_Valid),
-       Failed        => Memory.Watched.Failed,
-       Engine_Failed => Memory.Watched.Engine.Failed))
+   --  Words are those that the flight recorder has of this memory.
+   function State_Of (Memory : Kept; Words : Law_Words) return State is
+     ((Link         => Memory.Flown.Link.State,
+       Invalid_Low  => Words (2),
+       Invalid_High => Words (3),
+       Failed       => Words (5)))
    with Global => null;
 
    --  Cards: the state of the test cards after the frame.

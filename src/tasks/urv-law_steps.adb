@@ -22,8 +22,28 @@ package body URV.LAW_Steps with SPARK_Mode is
    with Ghost, Global => null;
 
    --  A test card's frame. Its inputs are those of this frame. Is_Moving: the
-   --  servos or sticks have inputs, or had them in the last frame.
+   --  servos or sticks have inputs, or had them in the last frame. Without a
+   --  card the facts on which one depends are not collected.
    procedure Run_Cards
+     (Cards     : in out Test_Runs.Aboard;
+      Flown     : Laws.Memory;
+      Watched   : Monitor;
+      Got       : Inputs;
+      Is_Moving : out Boolean;
+      Has_Ended : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       Cards.Run =
+         Test_Runs.Next
+           (Cards'Old.Run, Cards'Old.Deck, Sight_Of (Flown, Watched, Got))
+       and then Cards.Deck = Cards'Old.Deck
+       and then
+         (if Is_Moving then not Is_Cut (Flown, Got)
+          else Test_Runs.To_Servos (Cards.Run) = Nothing_Added
+            and then Test_Runs.To_Sticks (Cards.Run) = No_Sticks);
+
+   procedure Run_One
      (Cards     : in out Test_Runs.Aboard;
       Sight     : Test_Runs.Situation;
       Is_Moving : out Boolean;
@@ -38,7 +58,7 @@ package body URV.LAW_Steps with SPARK_Mode is
           else Test_Runs.To_Servos (Cards.Run) = Nothing_Added
             and then Test_Runs.To_Sticks (Cards.Run) = No_Sticks);
 
-   procedure Run_Cards
+   procedure Run_One
      (Cards     : in out Test_Runs.Aboard;
       Sight     : Test_Runs.Situation;
       Is_Moving : out Boolean;
@@ -55,6 +75,30 @@ package body URV.LAW_Steps with SPARK_Mode is
         and then Cards.Run.Place /= Test_Cards.At_Command
         and then
           (Before /= Nothing_Added or else Cards.Run.Added /= Nothing_Added);
+   end Run_One;
+
+   procedure Run_Cards
+     (Cards     : in out Test_Runs.Aboard;
+      Flown     : Laws.Memory;
+      Watched   : Monitor;
+      Got       : Inputs;
+      Is_Moving : out Boolean;
+      Has_Ended : out Boolean)
+   is
+      Is_New : constant Boolean := not Is_Old (Commands_Of (Got));
+   begin
+      if Test_Runs.Is_Idle (Cards.Run)
+        and then not Test_Runs.Is_Started (Cards.Run, Flown.Heard, Is_New)
+      then
+         if Is_New then
+            Cards.Run.Was_On := PWM_Transform.Is_On (Flown.Heard (Switch_5));
+         end if;
+         Is_Moving := False;
+         Has_Ended := False;
+      else
+         Run_One
+           (Cards, Sight_Of (Flown, Watched, Got), Is_Moving, Has_Ended);
+      end if;
    end Run_Cards;
 
    procedure Fly
@@ -73,8 +117,7 @@ package body URV.LAW_Steps with SPARK_Mode is
       if Used.On then
          Observe (This, Commands, Sensors_Of (Got), Used.By, Seen);
          pragma Assert (Is_Heard (Before, This, Commands));
-         Run_Cards
-           (Cards, Sight_Of (This, Watched, Got), Result.By_Card, Has_Ended);
+         Run_Cards (Cards, This, Watched, Got, Result.By_Card, Has_Ended);
          Result.Sticks := Test_Runs.To_Sticks (Cards.Run);
          Steer
            (This, Commands, Seen, Result.Sticks,

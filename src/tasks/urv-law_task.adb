@@ -5,6 +5,7 @@ with URV.Errors;    use URV.Errors;
 with URV.LAW_Reports;
 with URV.LAW_Steps; use URV.LAW_Steps;
 with URV.Laws;
+with URV.Recorder_Rows; use URV.Recorder_Rows;
 
 package body URV.LAW_Task with SPARK_Mode is
 
@@ -19,15 +20,18 @@ package body URV.LAW_Task with SPARK_Mode is
    procedure Decide_And_Report
      (Usual : Laws.Settings; Got : Inputs; Result : out Decision)
    is
-      Memory : Kept := Law_Memory.Contents;
-      Before : constant Reports.State := Reports.State_Of (Memory);
+      Memory   : Kept          := Law_Memory.Contents;
+      Recorded : Recorded_Laws := Law_Record.Contents;
+      Before   : constant Reports.State :=
+        Reports.State_Of (Memory, Recorded.Laws);
    begin
       Decide (Memory, Usual, Got, Result);
       Law_Memory.Write (Memory);
-      Law_Record.Write (Shared_Laws.Recorded_Of (Memory));
+      Recorded := Shared_Laws.Recorded_Of (Memory);
+      Law_Record.Write (Recorded);
       Card_Shown.Write (Card_Status.Card_Word (Memory.Cards.Run));
       Reports.Report
-        (Before, Reports.State_Of (Memory), Usual, Got, Result,
+        (Before, Reports.State_Of (Memory, Recorded.Laws), Usual, Got, Result,
          Memory.Cards.Run);
    end Decide_And_Report;
 
