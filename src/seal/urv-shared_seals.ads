@@ -11,14 +11,21 @@ with URV.Sessions;     use URV.Sessions;
 
 package URV.Shared_Seals with SPARK_Mode is
 
-   --  Whole frames between two times; 1 if the clock was set back.
+   --  Whole frames between two times; 1 if the clock was set back. A frame
+   --  later, as mostly, needs no division.
    function Frames_Between (Before, Now : Clock_Tick) return Counter is
-     (if Now < Before then 1
+     (if Now < Before or else Now - Before = Ticks_Per_Major_Frame then 1
       else Counter
         (Tick'Min
            (Now / Ticks_Per_Major_Frame - Before / Ticks_Per_Major_Frame,
             Tick (Last_Age))))
-   with Global => null;
+   with
+     Global => null,
+     Post   =>
+       (if Now >= Before
+        then Tick (Frames_Between'Result) = Tick'Min
+          (Now / Ticks_Per_Major_Frame - Before / Ticks_Per_Major_Frame,
+           Tick (Last_Age)));
 
    protected type Shared_Seal (Role : Station) is
 

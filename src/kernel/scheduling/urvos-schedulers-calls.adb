@@ -71,7 +71,9 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
    procedure Find_Ready
      (S           : Scheduler;
       Head        : out TCB_Count;
-      Others_Wait : out Boolean) is
+      Others_Wait : out Boolean)
+   is
+      Now : constant Clock_Tick := S.Clock;
    begin
       Head := No_TCB;
       Others_Wait := False;
@@ -81,7 +83,7 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
               (if Other /= Which
                then Is_Ahead (S, Other, Which) /= Is_Ahead (S, Which, Other)));
          if S.TCBs (Which).Id /= No_Task
-           and then S.TCBs (Which).Ready_At <= S.Clock
+           and then S.TCBs (Which).Ready_At <= Now
            and then Which /= S.Running
          then
             Others_Wait := Head /= No_TCB;
