@@ -10,12 +10,11 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
      Pre    => Is_Head (S, Ready, One) and then Is_Head (S, Ready, Other),
      Post   => One = Other;
 
-   --  The one of two TCBs that is ahead, if Head is one. It is out of the
-   --  loop, which is short and runs often.
-   function Better
-     (S : Scheduler; Head : TCB_Count; Which : TCB_Number) return TCB_Number
+   --  The one of two TCBs that is ahead. It is out of the loop, which is short
+   --  and runs often.
+   function Better (S : Scheduler; Head, Which : TCB_Number) return TCB_Number
    is
-     (if Head = No_TCB or else Is_Ahead (S, Which, Head) then Which else Head)
+     (if Is_Ahead (S, Which, Head) then Which else Head)
    with
      No_Inline,
      Global => null;
@@ -86,8 +85,12 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
            and then S.TCBs (Which).Ready_At <= Now
            and then Which /= S.Running
          then
-            Others_Wait := Head /= No_TCB;
-            Head := Better (S, Head, Which);
+            if Head = No_TCB then
+               Head := Which;
+            else
+               Others_Wait := True;
+               Head := Better (S, Head, Which);
+            end if;
          end if;
          pragma Loop_Invariant (Is_Head (S, Ready, Head, Which));
          pragma Loop_Invariant
@@ -115,7 +118,7 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
                then Moved (Place) = With_Last (Turns, Which) (Place)
                else Moved (Place) = Turns (Place)));
       end loop;
-      Moved (Which) := Turn'Last;
+      Moved (Which) := Last_Turn;
       Turns := Turn_Table (Moved);
    end Move_To_End;
 

@@ -201,16 +201,17 @@ package URVOS.Schedulers with Pure, SPARK_Mode is
 
 private
 
-   --  A place in the order of queued TCBs. No two TCBs have the same.
-   type Turn is range 1 .. Number_Of_TCBs with Size => 8;
+   --  The place of one queued TCB among all; a whole byte needs no checks.
+   type Turn is range 0 .. 255 with Size => 8;
+   Last_Turn : constant Turn := Number_Of_TCBs;
 
-   type Turn_Table is array (TCB_Number) of Turn
-   with
+   type Turn_Table is array (TCB_Number) of Turn with
      Alignment => 2,
      Predicate =>
-       (for all A in TCB_Number =>
-          (for all B in TCB_Number =>
-             (if A /= B then Turn_Table (A) /= Turn_Table (B))));
+       (for all A in TCB_Number => Turn_Table (A) in 1 .. Last_Turn
+          and then
+            (for all B in TCB_Number =>
+               (if A /= B then Turn_Table (A) /= Turn_Table (B))));
 
    type TCB_Table is array (TCB_Number) of Task_Control_Block;
 
@@ -246,7 +247,7 @@ private
      (for Each in TCB_Number =>
         (if Turns (Each) > Turns (Which) then Turns (Each) - 1
          elsif Each /= Which then Turns (Each)
-         else Turn'Last));
+         else Last_Turn));
 
    --  Gives a TCB a new value and the last turn. Running is the TCB of the
    --  running task afterwards.
