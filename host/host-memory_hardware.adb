@@ -23,6 +23,9 @@ package body Host.Memory_Hardware is
       Broken : Boolean := False;
    end record;
 
+   --  The long of these four bytes.
+   function Long_At (ROM : ROM_Image; Where : ROM_Address) return Long;
+
    --  Numbers in place of a program, and their sum.
    function New_Image return ROM_Image;
 
@@ -45,21 +48,32 @@ package body Host.Memory_Hardware is
    --  Applies the couplings between cells that act at once.
    procedure Settle (Memory : in out Board_Memory);
 
+   function Long_At (ROM : ROM_Image; Where : ROM_Address) return Long is
+     (Long (ROM (Where)) * 2 ** 24 + Long (ROM (Where + 1)) * 2 ** 16
+      + Long (ROM (Where + 2)) * 2 ** 8 + Long (ROM (Where + 3)));
+
    function New_Image return ROM_Image is
-      Register : Sum := First_Value;
-      State    : Sum := 1;
-      Kept     : Sum;
+      Sums  : Sum  := First_Value;
+      State : Long := 1;
+      Kept  : Long;
    begin
       return Result : ROM_Image do
-         for Where in ROM_Address range 0 .. ROM_Address'Last - 4 loop
+         for Where in 0 .. ROM_Address'Last - 8 loop
             State := State * 1_664_525 + 1_013_904_223;
             Result (Where) := Byte (Shift_Right (State, 24));
-            Register := Next (Register, Result (Where));
+            if Where mod 4 = 3 then
+               Sums := Next (Sums, Long_At (Result, Where - 3));
+            end if;
          end loop;
-         Kept := Register;
-         for Place in Sum_Place loop
-            Result (ROM_Address'Last - 3 + ROM_Address (Place)) :=
-              Kept_Byte (Kept, Place);
+         for Place in Kept_Place loop
+            Kept := Kept_Long (Sums, Place);
+            for Byte_In_Long in ROM_Address range 0 .. 3 loop
+               Result
+                 (ROM_Address'Last - 7 + 4 * ROM_Address (Place)
+                  + Byte_In_Long) :=
+                 Byte (Shift_Right (Kept, 24 - 8 * Natural (Byte_In_Long))
+                       and 16#FF#);
+            end loop;
          end loop;
       end return;
    end New_Image;
@@ -180,11 +194,11 @@ package body Host.Memory_Hardware is
    procedure Read_ROM
      (Board : Board_Number;
       Where : Byte_Address;
-      Data  : out Byte)
+      Data  : out Long)
    is
       Memory : Board_Memory renames Boards (Board);
    begin
-      Data := Memory.ROM (Where);
+      Data := Long_At (Memory.ROM, ROM_Address (Where));
       if Memory.Broken then
          Memory.Broken := False;
          raise Bus_Error;

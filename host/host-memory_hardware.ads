@@ -4,7 +4,7 @@
 --  faults to plant (SIM-1, TST-1, TST-3).
 --
 --  The ROM holds an image made from numbers (D-44), with its sum in its last
---  four bytes. The RAM is an array of cells, one per bit. Both are healthy
+--  eight bytes. The RAM is an array of cells, one per bit. Both are healthy
 --  until a fault is planted.
 
 with Devices.Memory_Bus; use Devices.Memory_Bus;
@@ -12,7 +12,9 @@ with URVOS.Memories;     use URVOS.Memories;
 
 package Host.Memory_Hardware is
 
-   subtype ROM_Address is Byte_Address range 0 .. Last_ROM_Byte;
+   --  The bytes of the ROM. The first of four is the high one of a long.
+   subtype ROM_Address is Byte_Address
+     range 0 .. Bytes_Per_Long * Byte_Address (Last_ROM_Long) + 3;
    subtype RAM_Address is Word_Address range 0 .. Last_RAM_Word;
 
    type Bit_Number is range 0 .. 15;
@@ -87,7 +89,7 @@ private
    procedure Read_ROM
      (Board : Board_Number;
       Where : Byte_Address;
-      Data  : out Byte)
+      Data  : out Long)
    with Export, Convention => Ada, External_Name => "urv_read_rom";
 
    procedure Read_RAM

@@ -34,11 +34,18 @@ package Sound_Memory with SPARK_Mode is
      Post   => Data = Cells (Where);
 
    package Tests is new URVOS.RAM_Tests
-     (Last     => Last,
-      Write    => Write,
-      Read     => Read,
-      Is_Model => True,
-      Holds    => Holds);
+     (Address    => Word_Address,
+      First      => 0,
+      Last       => Last,
+      Step       => 1,
+      Write      => Write,
+      Read       => Read,
+      Wide       => Word,
+      Wide_Step  => 1,
+      Write_Wide => Write,
+      Read_Wide  => Read,
+      Is_Model   => True,
+      Holds      => Holds);
 
    --  The test passes for any contents of the memory, and leaves zeros.
    procedure Passes (Sound : out Boolean; Where : out Word_Address)

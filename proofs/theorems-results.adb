@@ -94,20 +94,20 @@ package body Theorems.Results with SPARK_Mode is
         and then Fresh = As_Well;
    end Of_Receive;
 
-   procedure Of_Take_Byte
+   procedure Of_Take_Long
      (Item : Check;
-      Data : Byte;
+      Data : URVOS.Memories.Long;
       Same : out Boolean)
    is
       One, Other        : Check := Item;
       Outcome, Its_Like : Outcome_Kind;
    begin
-      Take_Byte (One, Data, Outcome);
-      Take_Byte (Other, Data, Its_Like);
+      Take_Long (One, Data, Outcome);
+      Take_Long (Other, Data, Its_Like);
       Same :=
         One = Other
         and then Outcome = Its_Like;
-   end Of_Take_Byte;
+   end Of_Take_Long;
 
    procedure Of_Try_Claim
      (Item   : Semaphore;

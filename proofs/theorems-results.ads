@@ -18,6 +18,7 @@ with Telemetry.Receivers;
 with URVOS;
 with URVOS.Error_Logs;
 with URVOS.Frames;
+with URVOS.Memories;
 with URVOS.ROM_Checks;
 with URVOS.Semaphores;
 with URVOS.Start_Orders;
@@ -88,12 +89,12 @@ package Theorems.Results with SPARK_Mode, Ghost is
      Global => null,
      Post   => Same;
 
-   package Checks is new URVOS.ROM_Checks (Last => 16#FFFF#);
+   package Checks is new URVOS.ROM_Checks (Last => 16#3FFF#);
    use Checks;
 
-   procedure Of_Take_Byte
+   procedure Of_Take_Long
      (Item : Check;
-      Data : Byte;
+      Data : URVOS.Memories.Long;
       Same : out Boolean)
    with
      Global => null,

@@ -2,84 +2,133 @@
 
 package body Theorems.Self_Test with SPARK_Mode is
 
-   procedure Step_Is_Polynomial_Division (Register : Sum) is null;
+   procedure Times_X_Is_Multiplication (Value : Long) is null;
 
-   --  Half a step keeps different registers different.
-   procedure Half_A_Step_Distinguishes (Left, Right : Sum)
+   --  Multiplication by x keeps different remainders different.
+   procedure Times_X_Distinguishes (Left, Right : Long)
    with
      Global => null,
      Pre    => Left /= Right,
-     Post   => Four_Bits_On (Left) /= Four_Bits_On (Right);
+     Post   => Times_X (Left) /= Times_X (Right);
 
-   procedure Half_A_Step_Distinguishes (Left, Right : Sum) is null;
+   procedure Times_X_Distinguishes (Left, Right : Long) is null;
 
-   procedure Step_Distinguishes
-     (Left, Right     : Sum;
-      Data_1, Data_2 : Byte)
-   is
-      Left_In  : constant Sum := Left xor Sum (Data_1);
-      Right_In : constant Sum := Right xor Sum (Data_2);
+   --  No value but 0 equals its product by x, and the product of a sum is the
+   --  sum of the products.
+   procedure Times_X_Changes (Start, Left, Right : Long)
+   with
+     Global => null,
+     Pre    => Left /= Right,
+     Post   =>
+       (Times_X (Start xor Left) xor Times_X (Start xor Right))
+       /= (Left xor Right);
+
+   procedure Times_X_Changes (Start, Left, Right : Long) is null;
+
+   procedure Step_Distinguishes (Left, Right : Sum; Data : Long) is
    begin
-      pragma Assert (Left_In /= Right_In);
-      Half_A_Step_Distinguishes (Left_In, Right_In);
-      Half_A_Step_Distinguishes
-        (Four_Bits_On (Left_In), Four_Bits_On (Right_In));
+      if Left.Remainder /= Right.Remainder then
+         Times_X_Distinguishes (Left.Remainder, Right.Remainder);
+      else
+         pragma Assert
+           ((Left.Parity xor Data) /= (Right.Parity xor Data));
+      end if;
    end Step_Distinguishes;
 
-   procedure Same_Bytes_Same_Register
+   procedure Two_Steps_Distinguish
+     (Start                            : Sum;
+      Left_1, Left_2, Right_1, Right_2 : Long)
+   is
+      After_Left  : constant Sum := Next (Next (Start, Left_1), Left_2);
+      After_Right : constant Sum := Next (Next (Start, Right_1), Right_2);
+   begin
+      if Left_1 = Right_1 then
+         pragma Assert (After_Left.Parity /= After_Right.Parity);
+      elsif (Left_1 xor Left_2) /= (Right_1 xor Right_2) then
+         pragma Assert
+           (After_Left.Parity = (Start.Parity xor (Left_1 xor Left_2)));
+         pragma Assert
+           (After_Right.Parity = (Start.Parity xor (Right_1 xor Right_2)));
+      else
+         pragma Assert ((Left_1 xor Right_1) = (Left_2 xor Right_2));
+         Times_X_Changes (Times_X (Start.Remainder), Left_1, Right_1);
+         pragma Assert (After_Left.Remainder /= After_Right.Remainder);
+      end if;
+   end Two_Steps_Distinguish;
+
+   procedure Same_Longs_Same_Sum
      (Left, Right : Image;
       Length      : Image_Length)
    is
    begin
       if Length > 0 then
-         Same_Bytes_Same_Register (Left, Right, Length - 1);
+         Same_Longs_Same_Sum (Left, Right, Length - 1);
       end if;
-   end Same_Bytes_Same_Register;
+   end Same_Longs_Same_Sum;
 
-   procedure One_Wrong_Byte_Is_Detected
+   procedure Two_Wrong_Neighbours_Are_Detected
      (Right, Spoilt : Image;
-      Wrong         : Byte_Address;
+      Wrong         : Long_Address;
       Length        : Image_Length)
    is
    begin
-      if Image_Length (Wrong) = Length - 1 then
-         Same_Bytes_Same_Register (Right, Spoilt, Length - 1);
+      if Image_Length (Wrong) = Length - 2 then
+         Same_Longs_Same_Sum (Right, Spoilt, Length - 2);
+         Two_Steps_Distinguish
+           (Sum_After (Right, Length - 2),
+            Right (Wrong), Right (Wrong + 1),
+            Spoilt (Wrong), Spoilt (Wrong + 1));
       else
-         One_Wrong_Byte_Is_Detected (Right, Spoilt, Wrong, Length - 1);
+         Two_Wrong_Neighbours_Are_Detected (Right, Spoilt, Wrong, Length - 1);
+         Step_Distinguishes
+           (Sum_After (Right, Length - 1),
+            Sum_After (Spoilt, Length - 1),
+            Right (Long_Address (Length - 1)));
       end if;
-      Step_Distinguishes
-        (Register_After (Right, Length - 1),
-         Register_After (Spoilt, Length - 1),
-         Right (Byte_Address (Length - 1)),
-         Spoilt (Byte_Address (Length - 1)));
-   end One_Wrong_Byte_Is_Detected;
+   end Two_Wrong_Neighbours_Are_Detected;
 
-   procedure Kept_Bytes_Make_Good (Register : Sum) is null;
+   --  A value divided by x + 1, times x + 1.
+   procedure Division_Is_Right (Value : Long)
+   with
+     Global => null,
+     Post   => (Times_X (Divided (Value)) xor Divided (Value)) = Value;
+
+   procedure Division_Is_Right (Value : Long) is
+      Sums : constant Long := Running_Sums (Value);
+   begin
+      pragma Assert ((Sums xor Shift_Left (Sums, 1)) = Value);
+   end Division_Is_Right;
+
+   procedure Times_X_Of_Sum (Left, Right : Long)
+   with
+     Global => null,
+     Post   =>
+       Times_X (Left xor Right) = (Times_X (Left) xor Times_X (Right));
+
+   procedure Times_X_Of_Sum (Left, Right : Long) is null;
+
+   procedure Kept_Longs_Make_Good (Before : Sum) is
+      Parity : constant Long := Before.Parity;
+      Twice  : constant Long := Times_X (Times_X (Before.Remainder));
+      First  : constant Long := Divided (Twice xor Parity);
+   begin
+      Division_Is_Right (Twice xor Parity);
+      pragma Assert (Kept_Long (Before, 0) = First);
+      pragma Assert (Kept_Long (Before, 1) = (First xor Parity));
+      Times_X_Of_Sum (Times_X (Before.Remainder), First);
+   end Kept_Longs_Make_Good;
 
    procedure Image_With_Its_Sum_Is_Good (Item : Image) is
       Length : constant Image_Length := Item'Length;
-      Start  : constant Sum := Register_After (Item, Length - 4);
+      Start  : constant Sum := Sum_After (Item, Length - 2);
    begin
       pragma Assert
-        (Item (Byte_Address (Length - 4)) = Kept_Byte (Start, 0));
+        (Item (Long_Address (Length - 2)) = Kept_Long (Start, 0));
       pragma Assert
-        (Item (Byte_Address (Length - 3)) = Kept_Byte (Start, 1));
+        (Item (Long_Address (Length - 1)) = Kept_Long (Start, 1));
       pragma Assert
-        (Item (Byte_Address (Length - 2)) = Kept_Byte (Start, 2));
-      pragma Assert
-        (Item (Byte_Address (Length - 1)) = Kept_Byte (Start, 3));
-      pragma Assert
-        (Register_After (Item, Length - 3) =
-           Next (Start, Kept_Byte (Start, 0)));
-      pragma Assert
-        (Register_After (Item, Length - 2) =
-           Next (Next (Start, Kept_Byte (Start, 0)), Kept_Byte (Start, 1)));
-      pragma Assert
-        (Register_After (Item, Length - 1) =
-           Next (Next (Next
-             (Start, Kept_Byte (Start, 0)), Kept_Byte (Start, 1)),
-              Kept_Byte (Start, 2)));
-      Kept_Bytes_Make_Good (Start);
+        (Sum_After (Item, Length - 1) = Next (Start, Kept_Long (Start, 0)));
+      Kept_Longs_Make_Good (Start);
    end Image_With_Its_Sum_Is_Good;
 
    procedure Check_Determines_The_Image
@@ -89,10 +138,10 @@ package body Theorems.Self_Test with SPARK_Mode is
    is
       Was : constant Check := Item;
    begin
-      Take_Byte (Item, Source (Item.Position), Outcome);
+      Take_Long (Item, Source (Item.Position), Outcome);
       pragma Assert
-        (Next (Was.Register, Source (Was.Position)) =
-           Register_After (Source, Image_Length (Was.Position) + 1));
+        (Next (Was.Sums, Source (Was.Position)) =
+           Sum_After (Source, Image_Length (Was.Position) + 1));
    end Check_Determines_The_Image;
 
 end Theorems.Self_Test;

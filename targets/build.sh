@@ -7,7 +7,7 @@
 #   targets/build.sh mc68000 telemetry_board|exploration
 #
 # The image is obj/targets/MACHINE/NODE.bin, with the program's sum in its last
-# four bytes. NODE.elf has the symbols.
+# eight bytes. NODE.elf has the symbols.
 
 set -eu
 cd "$(dirname "$0")/.."
@@ -29,7 +29,8 @@ case $machine in
                targets/drivers/stm32_adc"
       # For a real board (BRD-9): QEMU's converter reads nothing.
       unlinked="stm32_adc-conversions stm32_adc-registers"
-      rom_size=114688 ;;
+      rom_size=114688
+      order=little ;;
    mc68000)
       prefix=m68k-linux-gnu-
       processor="-m68000"
@@ -43,7 +44,8 @@ case $machine in
             --param max-peel-branches=100"
       folders="targets/mc68000 targets/mc68000/musashi
                targets/drivers/mc68681"
-      rom_size=163840 ;;
+      rom_size=163840
+      order=big ;;
    *)
       echo "targets/build.sh: no machine: $machine; there are: cortex_m," \
            "mc68000" >&2
@@ -151,4 +153,4 @@ cd ..
 "${prefix}objcopy" -O binary -j .vectors -j .text -j .data --gap-fill 0xff \
    "$node.elf" "$node.raw"
 python3 "$root/targets/image_sum.py" "$node.raw" "$node.bin" \
-   "$rom_size"
+   "$rom_size" "$order"

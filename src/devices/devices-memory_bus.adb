@@ -10,7 +10,7 @@ package body Devices.Memory_Bus
 is
 
    procedure Read_Host_ROM
-     (Board : Board_Number; Where : Byte_Address; Data : out Byte)
+     (Board : Board_Number; Where : Byte_Address; Data : out Long)
    with
      Import,
      Convention    => Ada,
@@ -34,7 +34,7 @@ is
      Global        => null;
 
    procedure Read_ROM
-     (Board : Board_Number; Where : Byte_Address; Data : out Byte)
+     (Board : Board_Number; Where : Byte_Address; Data : out Long)
      renames Read_Host_ROM;
 
    procedure Read_RAM

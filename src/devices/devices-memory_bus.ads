@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The processor board's own ROM and RAM. Addresses select bytes of the ROM
---  and words of the RAM (TST-1).
+--  The processor board's own ROM and RAM. Addresses select bytes of the ROM,
+--  which is read by longs, and words of the RAM (TST-1).
 --
 --  The memories are outside the flight software. The body leads to them: on a
 --  host to simulated memories (Host.Memory_Hardware), on a target to the
@@ -27,19 +27,24 @@ is
 
    type Board_Number is range 1 .. 4;
 
-   Last_ROM_Byte : constant Byte_Address := Memory_Sizes.Last_ROM_Byte;
+   Last_ROM_Long : constant Long_Address := Memory_Sizes.Last_ROM_Long;
    Last_RAM_Word : constant Word_Address := Memory_Sizes.Last_RAM_Word;
 
-   ROM_Bytes_Per_Frame : constant := Memory_Sizes.ROM_Bytes_Per_Frame;
+   ROM_Longs_Per_Frame : constant := Memory_Sizes.ROM_Longs_Per_Frame;
 
+   --  The address of the ROM's last long.
+   Last_ROM_Place : constant Byte_Address :=
+     Bytes_Per_Long * Byte_Address (Last_ROM_Long);
+
+   --  Where is a multiple of four. An MC68000 would trap an odd address.
    procedure Read_ROM
      (Board : Board_Number;
       Where : Byte_Address;
-      Data  : out Byte)
+      Data  : out Long)
    with
      Inline,
      Global => (Input => Cells),
-     Pre    => Where <= Last_ROM_Byte;
+     Pre    => Where <= Last_ROM_Place;
 
    procedure Read_RAM
      (Board : Board_Number;

@@ -7,12 +7,12 @@ with URVOS.Memories; use URVOS.Memories;
 
 package Devices.Memory_Sizes with Pure, SPARK_Mode is
 
-   --  64 KiB of ROM, with the image's sum in the last four bytes, and 16 KiB
+   --  64 KiB of ROM, with the image's sum in the last eight bytes, and 16 KiB
    --  of RAM.
-   Last_ROM_Byte : constant Byte_Address := 16#FFFF#;
+   Last_ROM_Long : constant Long_Address := 16#3FFF#;
    Last_RAM_Word : constant Word_Address := 16#1FFF#;
 
    --  The check in flight reads these in each major frame (TST-3).
-   ROM_Bytes_Per_Frame : constant := 64;
+   ROM_Longs_Per_Frame : constant := 16;
 
 end Devices.Memory_Sizes;

@@ -2,7 +2,7 @@
 
 package body Devices.Processor_Memories with SPARK_Mode is
 
-   procedure Read_ROM (Where : Byte_Address; Data : out Byte) is
+   procedure Read_ROM (Where : Byte_Address; Data : out Long) is
    begin
       Read_ROM (Board, Where, Data);
    end Read_ROM;

@@ -11,11 +11,11 @@ generic
    Board : Board_Number;
 package Devices.Processor_Memories with SPARK_Mode is
 
-   procedure Read_ROM (Where : Byte_Address; Data : out Byte)
+   procedure Read_ROM (Where : Byte_Address; Data : out Long)
    with
      Inline,
      Global => (Input => Cells),
-     Pre    => Where <= Last_ROM_Byte;
+     Pre    => Where <= Last_ROM_Place;
 
    procedure Read_RAM (Where : Word_Address; Data : out Word)
    with

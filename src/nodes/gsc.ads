@@ -113,8 +113,8 @@ package GSC with SPARK_Mode is
    package LOG is new URV.LOG_Task (Telemetry_Board, CORE_Memory, Errors);
 
    package SELF_TEST is new URV.Self_Test_Task
-     (Last            => Last_ROM_Byte,
-      Bytes_Per_Frame => ROM_Bytes_Per_Frame,
+     (Last            => Last_ROM_Long,
+      Longs_Per_Frame => ROM_Longs_Per_Frame,
       CORE_Memory     => CORE_Memory,
       Node_Status     => Status,
       Errors          => Errors,

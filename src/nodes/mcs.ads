@@ -168,8 +168,8 @@ package MCS with SPARK_Mode is
      (CORE_Memory, PWM_Board, Law_Record, Errors, Recorder);
 
    package SELF_TEST is new URV.Self_Test_Task
-     (Last            => Last_ROM_Byte,
-      Bytes_Per_Frame => ROM_Bytes_Per_Frame,
+     (Last            => Last_ROM_Long,
+      Longs_Per_Frame => ROM_Longs_Per_Frame,
       CORE_Memory     => CORE_Memory,
       Node_Status     => Status,
       Errors          => Errors,

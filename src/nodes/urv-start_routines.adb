@@ -8,7 +8,7 @@ with URV.Start_Records;
 package body URV.Start_Routines with SPARK_Mode is
 
    package Test is new URVOS.Start_Tests
-     (Last_Byte => Last_ROM_Byte,
+     (Last_Long => Last_ROM_Long,
       Last_Word => Last_RAM_Word,
       Read_ROM  => Memories.Read_ROM,
       Read_RAM  => Memories.Read_RAM,

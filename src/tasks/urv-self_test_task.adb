@@ -31,12 +31,12 @@ package body URV.Self_Test_Task with SPARK_Mode is
 
    procedure Run_Transaction is
       State   : Check := Progress.Contents;
-      Data    : Byte;
+      Data    : Long;
       Outcome : Outcome_Kind;
    begin
-      for Number in 1 .. Bytes_Per_Frame loop
-         Read_ROM (State.Position, Data);
-         Take_Byte (State, Data, Outcome);
+      for Number in 1 .. Longs_Per_Frame loop
+         Read_ROM (Bytes_Per_Long * Byte_Address (State.Position), Data);
+         Take_Long (State, Data, Outcome);
 
          case Outcome is
             when Under_Way =>

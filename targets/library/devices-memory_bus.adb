@@ -3,22 +3,29 @@
 --  The processor board's ROM and RAM, at the addresses that the linker's
 --  image.ld gives (TST-1, BRD-3). A machine has one board.
 
+with System.Storage_Elements; use System.Storage_Elements;
+
 package body Devices.Memory_Bus with SPARK_Mode => Off is
 
-   ROM : array (Byte_Address range 0 .. Last_ROM_Byte) of Byte
-   with Volatile, Import, External_Name => "urv_rom_image";
+   --  The first long and the first word. The rest is by address: the compiler
+   --  would multiply and check an index at each access.
 
-   RAM : array (Word_Address range 0 .. Last_RAM_Word) of Word
-   with Volatile, Import, External_Name => "urv_tested_ram";
+   ROM : constant Long
+   with Import, External_Name => "urv_rom_image";
+
+   RAM : constant Word
+   with Import, External_Name => "urv_tested_ram";
 
    procedure Read_ROM
      (Board : Board_Number;
       Where : Byte_Address;
-      Data  : out Byte)
+      Data  : out Long)
    is
       pragma Unreferenced (Board);
+      Here : constant Long
+      with Import, Address => ROM'Address + Storage_Offset (Where);
    begin
-      Data := ROM (Where);
+      Data := Here;
    end Read_ROM;
 
    procedure Read_RAM
@@ -27,8 +34,13 @@ package body Devices.Memory_Bus with SPARK_Mode => Off is
       Data  : out Word)
    is
       pragma Unreferenced (Board);
+      Here : constant Word
+      with
+        Volatile,
+        Import,
+        Address => RAM'Address + 2 * Storage_Offset (Where);
    begin
-      Data := RAM (Where);
+      Data := Here;
    end Read_RAM;
 
    procedure Write_RAM
@@ -37,8 +49,13 @@ package body Devices.Memory_Bus with SPARK_Mode => Off is
       Data  : Word)
    is
       pragma Unreferenced (Board);
+      Here : Word
+      with
+        Volatile,
+        Import,
+        Address => RAM'Address + 2 * Storage_Offset (Where);
    begin
-      RAM (Where) := Data;
+      Here := Data;
    end Write_RAM;
 
 end Devices.Memory_Bus;

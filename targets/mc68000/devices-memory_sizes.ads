@@ -7,13 +7,13 @@ with URVOS.Memories; use URVOS.Memories;
 
 package Devices.Memory_Sizes with Pure, SPARK_Mode is
 
-   --  160 KiB of ROM, with the image's sum in the last four bytes, and 4 KiB
+   --  160 KiB of ROM, with the image's sum in the last eight bytes, and 1 KiB
    --  of RAM.
-   Last_ROM_Byte : constant Byte_Address := 16#2_7FFF#;
-   Last_RAM_Word : constant Word_Address := 16#7FF#;
+   Last_ROM_Long : constant Long_Address := 16#9FFF#;
+   Last_RAM_Word : constant Word_Address := 16#1FF#;
 
    --  The check in flight reads these in each major frame (TST-3).
-   ROM_Bytes_Per_Frame : constant := 16;
+   ROM_Longs_Per_Frame : constant := 16;
 
    --  The long words of variables and stack, and those that the march in
    --  flight tests in a minor frame (TST-5).

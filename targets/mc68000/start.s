@@ -83,7 +83,7 @@ urv_reset:
 	lea	urv_kept, %a3
 	.endif
 
-	| Give variables their first values.
+	| Give variables their first values. The test leaves zeros.
 	lea	urv_data_load, %a0
 	lea	urv_data_start, %a1
 	lea	urv_data_end, %a2
@@ -91,10 +91,12 @@ urv_reset:
 1:	move.l	(%a0)+, (%a1)+
 2:	cmp.l	%a2, %a1
 	jcs	1b
+	.ifdef	TELEMETRY_BOARD
 	lea	urv_bss_start, %a1
 	lea	urv_bss_end, %a2
 	moveq	#0, %d0
 	jsr	urv_fill
+	.endif
 	clr.l	4(%a3)
 	clr.l	12(%a3)
 	clr.l	16(%a3)

@@ -2,6 +2,7 @@
 """BRD-1, BRD-2, BRD-3, BRD-9, TST-5: both nodes on a bare Cortex-M4, in QEMU, beside the
 simulation of the same flight."""
 
+import math
 import socket
 import subprocess
 import threading
@@ -76,19 +77,47 @@ def test_brd3_tst1_a_changed_bit_of_the_image_is_refused(tmp_path, place):
     bare.refuses_a_changed_bit(MACHINE, tmp_path, place)
 
 
-def test_brd3_the_sum_is_that_of_the_flight_software():
-    """The register after the image and its sum is one known number."""
-    source = (bare.ROOT / "src/kernel/self_test/urvos-image_sums.ads").read_text()
-    good = int(source.split("Good_Image : constant Sum := 16#")[1]
-               .split("#")[0].replace("_", ""), 16)
-    image = image_sum.image_of(b"a program", MACHINE.rom_size)
+@pytest.mark.parametrize("order", ["big", "little"])
+def test_brd3_the_sum_is_that_of_the_flight_software(order):
+    """Known sums of three longs, as in the unit test; and the sums of an image
+    with its own are known numbers."""
+    assert image_sum.sums([0x31323334, 0x35363738, 0xDEADBEEF]) == (
+        0x2556451C, 0x8FF6E1EC)
+    image = image_sum.image_of(b"a program", MACHINE.rom_size, order)
     assert len(image) == MACHINE.rom_size
-    assert image_sum.crc(image) ^ 0xFFFFFFFF == good
+    assert image_sum.sums(image_sum.longs_of(image, order)) == (0, 0)
+
+
+def test_tst1_the_period_of_the_sum_is_longer_than_any_image():
+    """x is of order 2**32 - 1 modulo the polynomial: it is primitive. The same
+    change of two longs is therefore found at any distance."""
+    def times(left, right):
+        product = 0
+        for bit in reversed(range(32)):
+            product = image_sum.times_x(product)
+            if right >> bit & 1:
+                product ^= left
+        return product
+
+    def power(exponent):
+        result = 1
+        for digit in f"{exponent:b}":
+            result = times(result, result)
+            if digit == "1":
+                result = image_sum.times_x(result)
+        return result
+
+    order = 2 ** 32 - 1
+    primes = (3, 5, 17, 257, 65537)
+    assert math.prod(primes) == order
+    assert power(order) == 1
+    assert all(power(order // prime) != 1 for prime in primes)
 
 
 def test_brd3_a_program_that_is_too_long_gets_no_sum():
-    with pytest.raises(ValueError, match="114685 bytes: 114684 is the most"):
-        image_sum.image_of(bytes(MACHINE.rom_size - 3), MACHINE.rom_size)
+    with pytest.raises(ValueError, match="114681 bytes: 114680 is the most"):
+        image_sum.image_of(bytes(MACHINE.rom_size - 7), MACHINE.rom_size,
+                           "little")
 
 
 class Debugger:

@@ -26,10 +26,10 @@ package body In_Flight_Tests is
    procedure Results_In_CORE;
    procedure Late_Tasks;
 
-   --  The bytes of the ROM checked in a frame, and the frames for the whole
+   --  The longs of the ROM checked in a frame, and the frames for the whole
    --  ROM.
-   Bytes_A_Frame : constant := 64;
-   Frames_A_Pass : constant := 16#1_0000# / Bytes_A_Frame;
+   Longs_A_Frame : constant := 16;
+   Frames_A_Pass : constant := 16#4000# / Longs_A_Frame;
 
    --  The bit of the error/status word for a ROM difference.
    ROM_Bit : constant Word := 2;
@@ -72,11 +72,11 @@ package body In_Flight_Tests is
       Expect_Number
         ("checked on the ground",
          Integer (GSC.SELF_TEST.Progress.Contents.Position),
-         By_All * Bytes_A_Frame);
+         By_All * Longs_A_Frame);
       Expect_Number
         ("checked in the air",
          Integer (MCS.SELF_TEST.Progress.Contents.Position),
-         By_All * Bytes_A_Frame);
+         By_All * Longs_A_Frame);
       for Frame in By_All + 1 .. Frames_A_Pass - 2 loop
          GSC.SELF_TEST.Run_Transaction;
          MCS.SELF_TEST.Run_Transaction;

@@ -1,19 +1,22 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The checksum of a program image: CRC-32C (TST-1, TST-3), low bit first,
---  first value all ones. Its polynomial is that of iSCSI and SCTP,
---  1EDC6F41h.
+--  The checksum of a program image (TST-1, TST-3): two sums of its long words,
+--  64 bits together, as the P and Q of RAID 6. Each step is a few instructions
+--  of a processor without a barrel shifter, and needs no table.
 --
---  The image keeps its own sum in its last four bytes, low byte first and
---  complemented. After all bytes, including those four, the register is
---  Good_Image for every sound image. A check therefore needs the image alone.
+--  A long is a polynomial of degree 31 over bits. Parity is the sum of all
+--  longs. Remainder is their sum by Horner's rule at x, modulo the primitive
+--  polynomial x^32 + x^7 + x^6 + x^2 + 1.
 --
---  The register detects every change within one byte, which Theorems.Self_Test
---  proves, and every burst of up to 32 bits. The polynomial has the factor x +
---  1 and a period of 2**31 - 1 bits, so the register also detects up to three
---  wrong bits anywhere in an image.
-
-with Interfaces;
+--  The image keeps in its last two longs the values that make both sums those
+--  of Good_Image. A check therefore needs the image alone.
+--
+--  The sums detect every change within one long or two neighbouring ones,
+--  which Theorems.Self_Test proves; these include every burst of up to 33
+--  bits. They detect every change of an odd number of bits, by Parity. The
+--  polynomial has a period of 2**32 - 1 longs, more than an image has, so they
+--  detect every change within any two longs. They therefore detect up to three
+--  wrong bits anywhere.
 
 with URVOS.Memories; use URVOS.Memories;
 
@@ -23,54 +26,72 @@ package URVOS.Image_Sums with Pure, SPARK_Mode is
    --  shows that the recursion below ends.
    pragma Assertion_Policy (Subprogram_Variant => Ignore);
 
-   type Sum is new Interfaces.Unsigned_32;
+   type Sum is record
+      Parity    : Long;
+      Remainder : Long;
+   end record;
 
-   First_Value : constant Sum := 16#FFFF_FFFF#;
+   --  An image of zeros is not good.
+   First_Value : constant Sum := (others => 16#FFFF_FFFF#);
 
-   Good_Image : constant Sum := 16#B798_B438#;
+   Good_Image : constant Sum := (others => 0);
 
-   --  The value that the register takes up for the four bits that leave it. A
-   --  table of 256 values for whole bytes is faster but fills 1 KiB.
-   subtype Four_Bits is Sum range 0 .. 15;
+   --  x^32 modulo the polynomial, and this divided by x + 1.
+   X_32         : constant Long := 16#C5#;
+   X_32_Divided : constant Long := 16#43#;
 
-   Given_Back : constant array (Four_Bits) of Sum :=
-     (16#0000_0000#, 16#105E_C76F#, 16#20BD_8EDE#, 16#30E3_49B1#,
-      16#417B_1DBC#, 16#5125_DAD3#, 16#61C6_9362#, 16#7198_540D#,
-      16#82F6_3B78#, 16#92A8_FC17#, 16#A24B_B5A6#, 16#B215_72C9#,
-      16#C38D_26C4#, 16#D3D3_E1AB#, 16#E330_A81A#, 16#F36E_6F75#);
-
-   function Four_Bits_On (Register : Sum) return Sum is
-     (Shift_Right (Register, 4) xor Given_Back (Register and 15))
+   --  Value times x, modulo the polynomial.
+   function Times_X (Value : Long) return Long is
+     (if Value >= 2 ** 31 then Shift_Left (Value, 1) xor X_32
+      else Shift_Left (Value, 1))
    with
      Inline,
      Global => null;
 
-   --  The register after one more byte.
-   function Next (Register : Sum; Data : Byte) return Sum is
-     (Four_Bits_On (Four_Bits_On (Register xor Sum (Data))))
+   --  The sums after one more long.
+   function Next (This : Sum; Data : Long) return Sum is
+     ((Parity    => This.Parity xor Data,
+       Remainder => Times_X (This.Remainder) xor Data))
    with
      Inline,
      Global => null;
 
-   --  The register after the first Length bytes of an image. Only contracts
-   --  call it.
-   function Register_After (Item : Image; Length : Image_Length) return Sum
-   is
+   --  The sums of the first Length longs of an image. Only contracts call it.
+   function Sum_After (Item : Image; Length : Image_Length) return Sum is
      (if Length = 0 then First_Value
-      else Next (Register_After (Item, Length - 1),
-                 Item (Byte_Address (Length - 1))))
+      else Next (Sum_After (Item, Length - 1),
+                 Item (Long_Address (Length - 1))))
    with
      Global             => null,
      Subprogram_Variant => (Decreases => Length),
      Pre                => Item'First = 0 and then Length <= Item'Length;
 
-   --  The byte at each place of the image's last four, where Register is the
-   --  sum of the bytes before them.
+   --  The last two longs of an image, from the sums of those before them. They
+   --  solve two equations, which needs a division by x + 1.
 
-   type Sum_Place is range 0 .. 3;
+   function With_Lower_Bits (Value : Long; Places : Natural) return Long is
+     (Value xor Shift_Left (Value, Places))
+   with Global => null, Pre => Places < 32;
 
-   function Kept_Byte (Register : Sum; Place : Sum_Place) return Byte is
-     (Byte (Shift_Right (not Register, 8 * Natural (Place)) and 16#FF#))
+   --  Each bit of the result is the sum of this bit of Value and all lower
+   --  ones.
+   function Running_Sums (Value : Long) return Long is
+     (With_Lower_Bits (With_Lower_Bits (With_Lower_Bits (With_Lower_Bits
+        (With_Lower_Bits (Value, 16), 8), 4), 2), 1))
+   with Global => null;
+
+   --  Value divided by x + 1, modulo the polynomial.
+   function Divided (Value : Long) return Long is
+     (if Running_Sums (Value) >= 2 ** 31
+      then Running_Sums (Value) xor X_32_Divided
+      else Running_Sums (Value))
+   with Global => null;
+
+   type Kept_Place is range 0 .. 1;
+
+   function Kept_Long (This : Sum; Place : Kept_Place) return Long is
+     (Divided (Times_X (Times_X (This.Remainder)) xor This.Parity)
+      xor (if Place = 0 then 0 else This.Parity))
    with Global => null;
 
 end URVOS.Image_Sums;

@@ -1,22 +1,31 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The addresses by which the self-test reaches a processor's memories
---  (report, 2.4; TST-1): the ROM by bytes, the RAM by words.
+--  (report, 2.4; TST-1): the ROM by longs, at the addresses of their first
+--  bytes, the RAM by words.
+
+with Interfaces;
 
 package URVOS.Memories with Pure, SPARK_Mode is
 
-   --  The address bus is 24 bits wide. Addresses count from the first byte or
-   --  word of each memory.
+   --  A long word has 32 bits, as the processor reads them at once.
+   type Long is new Interfaces.Unsigned_32;
+
+   --  The address bus is 24 bits wide. Addresses count from the first byte,
+   --  long or word of each memory.
    type Byte_Address is range 0 .. 2 ** 24 - 1;
+
+   type Long_Address is range 0 .. 2 ** 22 - 1;
 
    type Word_Address is range 0 .. 2 ** 23 - 1;
 
-   --  The number of bytes of an image.
-   type Image_Length is range 0 .. 2 ** 24;
+   --  The number of longs of an image.
+   type Image_Length is range 0 .. 2 ** 22;
+
+   Bytes_Per_Long : constant := 4;
 
    --  A whole image. Contracts and tests use it; the flight software reads
-   --  byte by byte.
-   type Image is array (Byte_Address range <>) of Byte
-   with Alignment => 2;
+   --  long by long.
+   type Image is array (Long_Address range <>) of Long;
 
 end URVOS.Memories;

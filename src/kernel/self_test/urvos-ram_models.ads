@@ -7,9 +7,8 @@ with URVOS.Memories; use URVOS.Memories;
 package URVOS.RAM_Models with Pure, SPARK_Mode is
 
    --  The proof knows nothing of a real memory.
-   function Not_Known
-     (Unused_Where : Word_Address;
-      Unused_Data  : Word) return Boolean
+   function Holds
+     (Unused_Where : Word_Address; Unused_Data : Word) return Boolean
    is (False)
    with Global => null;
 

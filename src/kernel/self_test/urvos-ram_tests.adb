@@ -2,14 +2,17 @@
 
 package body URVOS.RAM_Tests with SPARK_Mode is
 
-   Zeros : constant Word := 16#0000#;
-   Ones  : constant Word := 16#FFFF#;
+   Zeros : constant Word := 0;
+   Ones  : constant Word := not 0;
 
    --  Any two bits of a word differ in at least one of these.
    type Background_Number is range 1 .. 4;
 
-   Backgrounds : constant array (Background_Number) of Word :=
-     (16#5555#, 16#3333#, 16#0F0F#, 16#00FF#);
+   Backgrounds : constant array (Background_Number) of Wide :=
+     (Wide'Last / 3,       --  5555, hexadecimal, in each word
+      Wide'Last / 5,       --  3333
+      Wide'Last / 17,      --  0F0F
+      Wide'Last / 257);    --  00FF
 
    --  The steps of the test. Each runs through the whole memory in the
    --  direction of its name, and ends at the first faulty word.
@@ -18,129 +21,145 @@ package body URVOS.RAM_Tests with SPARK_Mode is
    with
      Post =>
        (if Is_Model
-        then (for all Place in 0 .. Last => Holds (Place, Data)));
+        then (for all Place in First .. Last => Holds (Place, Data)));
 
    --  Up: write Data, write its complement, read, write Data, read.
    procedure Toggle_Up
-     (Data  : Word;
+     (Data  : Wide;
       Sound : out Boolean;
-      Where : out Word_Address)
+      Where : out Address)
    with
      Post =>
-       Where <= Last
-       and then (if Sound then Where = 0)
+       Where in First .. Last
+       and then (if Sound then Where = First)
        and then (if Is_Model then Sound);
 
    --  Down: read Old, write Fresh.
    procedure Exchange_Down
      (Old, Fresh : Word;
       Sound      : out Boolean;
-      Where      : out Word_Address)
+      Where      : out Address)
    with
      Pre  =>
-       (if Is_Model then (for all Place in 0 .. Last => Holds (Place, Old))),
+       (if Is_Model
+        then (for all Place in First .. Last => Holds (Place, Old))),
      Post =>
-       Where <= Last
-       and then (if Sound then Where = 0)
+       Where in First .. Last
+       and then (if Sound then Where = First)
        and then
          (if Is_Model
           then Sound
-            and then (for all Place in 0 .. Last => Holds (Place, Fresh)));
+            and then (for all Place in First .. Last => Holds (Place, Fresh)));
 
    --  Up: read Old, write Fresh.
    procedure Exchange_Up
      (Old, Fresh : Word;
       Sound      : out Boolean;
-      Where      : out Word_Address)
+      Where      : out Address)
    with
      Pre  =>
-       (if Is_Model then (for all Place in 0 .. Last => Holds (Place, Old))),
+       (if Is_Model
+        then (for all Place in First .. Last => Holds (Place, Old))),
      Post =>
-       Where <= Last
-       and then (if Sound then Where = 0)
+       Where in First .. Last
+       and then (if Sound then Where = First)
        and then
          (if Is_Model
           then Sound
-            and then (for all Place in 0 .. Last => Holds (Place, Fresh)));
+            and then (for all Place in First .. Last => Holds (Place, Fresh)));
 
    --  Up: read Old, write Other, read Other, write Old.
    procedure There_And_Back_Up
      (Old, Other : Word;
       Sound      : out Boolean;
-      Where      : out Word_Address)
+      Where      : out Address)
    with
      Pre  =>
-       (if Is_Model then (for all Place in 0 .. Last => Holds (Place, Old))),
+       (if Is_Model
+        then (for all Place in First .. Last => Holds (Place, Old))),
      Post =>
-       Where <= Last
-       and then (if Sound then Where = 0)
+       Where in First .. Last
+       and then (if Sound then Where = First)
        and then
          (if Is_Model
           then Sound
-            and then (for all Place in 0 .. Last => Holds (Place, Old)));
+            and then (for all Place in First .. Last => Holds (Place, Old)));
 
    --  Up: read Data.
    procedure Verify_Up
      (Data  : Word;
       Sound : out Boolean;
-      Where : out Word_Address)
+      Where : out Address)
    with
      Pre  =>
-       (if Is_Model then (for all Place in 0 .. Last => Holds (Place, Data))),
+       (if Is_Model
+        then (for all Place in First .. Last => Holds (Place, Data))),
      Post =>
-       Where <= Last
-       and then (if Sound then Where = 0)
+       Where in First .. Last
+       and then (if Sound then Where = First)
        and then
          (if Is_Model
           then Sound
-            and then (for all Place in 0 .. Last => Holds (Place, Data)));
+            and then (for all Place in First .. Last => Holds (Place, Data)));
 
    procedure Fill (Data : Word) is
+      Here : Address := First;
    begin
-      for Here in 0 .. Last loop
+      loop
          Write (Here, Data);
+         pragma Loop_Invariant (Here in First .. Last);
          pragma Loop_Invariant
            (if Is_Model
-            then (for all Place in 0 .. Here => Holds (Place, Data)));
+            then (for all Place in First .. Here =>
+                    Holds (Place, Data)));
+         pragma Loop_Variant (Increases => Here);
+         exit when Here > Last - Step;
+         Here := Here + Step;
       end loop;
    end Fill;
 
    procedure Toggle_Up
-     (Data  : Word;
+     (Data  : Wide;
       Sound : out Boolean;
-      Where : out Word_Address)
+      Where : out Address)
    is
-      Found : Word;
+      Found : Wide;
+      Here  : Address := First;
    begin
-      for Here in 0 .. Last loop
-         Write (Here, Data);
-         Write (Here, not Data);
-         Read (Here, Found);
+      loop
+         Write_Wide (Here, Data);
+         Write_Wide (Here, not Data);
+         Read_Wide (Here, Found);
          if Found /= (not Data) then
             Sound := False;
             Where := Here;
             return;
          end if;
-         Write (Here, Data);
-         Read (Here, Found);
+         Write_Wide (Here, Data);
+         Read_Wide (Here, Found);
          if Found /= Data then
             Sound := False;
             Where := Here;
             return;
          end if;
+         pragma Loop_Invariant (Here in First .. Last);
+         pragma Loop_Variant (Increases => Here);
+         exit when Here > Last - Wide_Step;
+         Here := Here + Wide_Step;
       end loop;
       Sound := True;
-      Where := 0;
+      Where := First;
    end Toggle_Up;
 
    procedure Exchange_Down
      (Old, Fresh : Word;
       Sound      : out Boolean;
-      Where      : out Word_Address)
+      Where      : out Address)
    is
       Found : Word;
+      Here  : Address := Last;
    begin
-      for Here in reverse 0 .. Last loop
+      loop
          Read (Here, Found);
          if Found /= Old then
             Sound := False;
@@ -148,23 +167,28 @@ package body URVOS.RAM_Tests with SPARK_Mode is
             return;
          end if;
          Write (Here, Fresh);
+         pragma Loop_Invariant (Here in First .. Last);
          pragma Loop_Invariant
            (if Is_Model
-            then (for all Place in 0 .. Last =>
+            then (for all Place in First .. Last =>
                     Holds (Place, (if Place >= Here then Fresh else Old))));
+         pragma Loop_Variant (Decreases => Here);
+         exit when Here < First + Step;
+         Here := Here - Step;
       end loop;
       Sound := True;
-      Where := 0;
+      Where := First;
    end Exchange_Down;
 
    procedure Exchange_Up
      (Old, Fresh : Word;
       Sound      : out Boolean;
-      Where      : out Word_Address)
+      Where      : out Address)
    is
       Found : Word;
+      Here  : Address := First;
    begin
-      for Here in 0 .. Last loop
+      loop
          Read (Here, Found);
          if Found /= Old then
             Sound := False;
@@ -172,23 +196,28 @@ package body URVOS.RAM_Tests with SPARK_Mode is
             return;
          end if;
          Write (Here, Fresh);
+         pragma Loop_Invariant (Here in First .. Last);
          pragma Loop_Invariant
            (if Is_Model
-            then (for all Place in 0 .. Last =>
+            then (for all Place in First .. Last =>
                     Holds (Place, (if Place <= Here then Fresh else Old))));
+         pragma Loop_Variant (Increases => Here);
+         exit when Here > Last - Step;
+         Here := Here + Step;
       end loop;
       Sound := True;
-      Where := 0;
+      Where := First;
    end Exchange_Up;
 
    procedure There_And_Back_Up
      (Old, Other : Word;
       Sound      : out Boolean;
-      Where      : out Word_Address)
+      Where      : out Address)
    is
       Found : Word;
+      Here  : Address := First;
    begin
-      for Here in 0 .. Last loop
+      loop
          Read (Here, Found);
          if Found /= Old then
             Sound := False;
@@ -203,39 +232,48 @@ package body URVOS.RAM_Tests with SPARK_Mode is
             return;
          end if;
          Write (Here, Old);
+         pragma Loop_Invariant (Here in First .. Last);
          pragma Loop_Invariant
            (if Is_Model
-            then (for all Place in 0 .. Last =>
+            then (for all Place in First .. Last =>
                     Holds (Place, Old)));
+         pragma Loop_Variant (Increases => Here);
+         exit when Here > Last - Step;
+         Here := Here + Step;
       end loop;
       Sound := True;
-      Where := 0;
+      Where := First;
    end There_And_Back_Up;
 
    procedure Verify_Up
      (Data  : Word;
       Sound : out Boolean;
-      Where : out Word_Address)
+      Where : out Address)
    is
       Found : Word;
+      Here  : Address := First;
    begin
-      for Here in 0 .. Last loop
+      loop
          Read (Here, Found);
          if Found /= Data then
             Sound := False;
             Where := Here;
             return;
          end if;
+         pragma Loop_Invariant (Here in First .. Last);
          pragma Loop_Invariant
            (if Is_Model
-            then (for all Place in 0 .. Last =>
+            then (for all Place in First .. Last =>
                     Holds (Place, Data)));
+         pragma Loop_Variant (Increases => Here);
+         exit when Here > Last - Step;
+         Here := Here + Step;
       end loop;
       Sound := True;
-      Where := 0;
+      Where := First;
    end Verify_Up;
 
-   procedure Run (Sound : out Boolean; Where : out Word_Address) is
+   procedure Run (Sound : out Boolean; Where : out Address) is
    begin
       for Number in Background_Number loop
          Toggle_Up (Backgrounds (Number), Sound, Where);

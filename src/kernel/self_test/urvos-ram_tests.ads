@@ -9,37 +9,51 @@
 --  backgrounds; any two bits of a word differ in one of them. The total is 34
 --  accesses a word.
 --
+--  The backgrounds concern each word alone, so they may be written to several
+--  words at once. The march may not: a word's effect on the next one is lost
+--  when both are written together.
+--
 --  The test destroys the RAM's contents and leaves zeros. It ends at the first
 --  fault.
 
-with URVOS.Memories; use URVOS.Memories;
-with URVOS.RAM_Models;
-
 generic
-   Last : Word_Address;
+   --  The words are at First, First + Step, and so on up to Last. Addresses of
+   --  bytes are the cheapest.
+   type Address is range <>;
+   First : Address;
+   Last  : Address;
+   Step  : Address;
 
-   with procedure Write (Where : Word_Address; Data : Word);
-   with procedure Read (Where : Word_Address; Data : out Word);
+   with procedure Write (Where : Address; Data : Word);
+   with procedure Read (Where : Address; Data : out Word);
 
-   --  For proof alone: Is_Model says that Write and Read are those of a sound
-   --  memory, and Holds that a word has this value. An instance for a real
-   --  memory omits both.
+   --  One word or more at once, from Where on: their number times Step is
+   --  Wide_Step. They fill the memory.
+   type Wide is mod <>;
+   Wide_Step : Address;
+
+   with procedure Write_Wide (Where : Address; Data : Wide);
+   with procedure Read_Wide (Where : Address; Data : out Wide);
+
+   --  For proof alone: Is_Model says that both steps are 1 and that all four
+   --  procedures are those of a sound memory, and Holds that a word has this
+   --  value. An instance for a real memory omits Is_Model; see RAM_Models.
    Is_Model : Boolean := False;
-   with function Holds (Where : Word_Address; Data : Word) return Boolean
-     is RAM_Models.Not_Known;
+   with function Holds (Where : Address; Data : Word) return Boolean is <>;
 package URVOS.RAM_Tests with SPARK_Mode is
 
-   --  Tests the RAM. Where becomes the first faulty word.
-   procedure Run (Sound : out Boolean; Where : out Word_Address)
+   --  Tests the RAM. Where becomes the first faulty word, or
+   --  the first one written with it.
+   procedure Run (Sound : out Boolean; Where : out Address)
    with
      Post =>
-       Where <= Last
-       and then (if Sound then Where = 0)
+       Where in First .. Last
+       and then (if Sound then Where = First)
 
        --  A sound memory passes, and is all zeros after it.
        and then
          (if Is_Model
           then Sound
-            and then (for all Place in 0 .. Last => Holds (Place, 0)));
+            and then (for all Place in First .. Last => Holds (Place, 0)));
 
 end URVOS.RAM_Tests;

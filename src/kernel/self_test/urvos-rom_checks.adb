@@ -2,19 +2,18 @@
 
 package body URVOS.ROM_Checks with SPARK_Mode is
 
-   procedure Take_Byte
+   procedure Take_Long
      (This    : in out Check;
-      Data    : Byte;
-      Outcome : out Outcome_Kind)
-   is
+      Data    : Long;
+      Outcome : out Outcome_Kind) is
    begin
-      This.Register := Next (This.Register, Data);
+      This.Sums := Next (This.Sums, Data);
 
       if This.Position < Last then
          This.Position := This.Position + 1;
          Outcome := Under_Way;
       else
-         if This.Register = Good_Image then
+         if This.Sums = Good_Image then
             This.Good_Passes := Incremented (This.Good_Passes);
             Outcome := Found_Good;
          else
@@ -22,8 +21,8 @@ package body URVOS.ROM_Checks with SPARK_Mode is
             Outcome := Found_Bad;
          end if;
          This.Position := 0;
-         This.Register := First_Value;
+         This.Sums := First_Value;
       end if;
-   end Take_Byte;
+   end Take_Long;
 
 end URVOS.ROM_Checks;

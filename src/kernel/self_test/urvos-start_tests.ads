@@ -16,11 +16,12 @@ with URVOS.Self_Tests; use URVOS.Self_Tests;
 with URVOS.Starts;     use URVOS.Starts;
 
 generic
-   --  The last byte of the image and the last word of the RAM.
-   Last_Byte : Byte_Address;
+   --  The last long of the image, which has a multiple of four, and the last
+   --  word of the RAM.
+   Last_Long : Long_Address;
    Last_Word : Word_Address;
 
-   with procedure Read_ROM (Where : Byte_Address; Data : out Byte);
+   with procedure Read_ROM (Where : Byte_Address; Data : out Long);
    with procedure Read_RAM (Where : Word_Address; Data : out Word);
    with procedure Write_RAM (Where : Word_Address; Data : Word);
 package URVOS.Start_Tests with SPARK_Mode is
