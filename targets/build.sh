@@ -57,9 +57,11 @@ esac
 assembler=
 case $machine-$node in
    *-mcs|*-gsc) ;;
-   mc68000-telemetry_board | mc68000-exploration)
-      folders="$folders targets/mc68000/exploration"
+   mc68000-telemetry_board)
       assembler=-Wa,--defsym,TELEMETRY_BOARD=1 ;;
+   mc68000-exploration)
+      folders="$folders targets/mc68000/exploration"
+      assembler=-Wa,--defsym,TELEMETRY_BOARD=1,--defsym,UNTESTED=1 ;;
    *)
       echo "targets/build.sh: no program of $machine: $node; there are: mcs," \
            "gsc; and telemetry_board and exploration of mc68000" >&2

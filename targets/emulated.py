@@ -284,7 +284,8 @@ class MC68000(Machine):
         command = [self.images / "board", str(self.mhz), folder]
         for name in names:
             command += [name, self.image(name, images),
-                        self.image("telemetry_board", images),
+                        images.get(f"{name}_board", self.image(
+                            "telemetry_board", images)),
                         folder / f"{name}.tape"]
         running = subprocess.Popen(
             command, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,

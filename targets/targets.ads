@@ -70,7 +70,8 @@ package Targets is
 
    --  The watchdog restarts the processor if this call stays away for 100 ms
    --  (BRD-7). It waits for the first call after a start.
-   procedure Feed_Watchdog;
+   procedure Feed_Watchdog
+   with Inline;
 
    --  Writes the servos' words.
    procedure Write_Servos (Area : Devices.PWM_Board.Data_Area);

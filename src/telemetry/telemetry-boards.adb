@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 with Telemetry.Checksum;
-with Telemetry.Senders; use Telemetry.Senders;
+with Telemetry.Senders;       use Telemetry.Senders;
+with Telemetry.Turns.Changes; use Telemetry.Turns.Changes;
 
 package body Telemetry.Boards with SPARK_Mode is
 
@@ -26,9 +27,13 @@ package body Telemetry.Boards with SPARK_Mode is
          (Control_Of (This'Old).Receiver, Receive_Pair (This'Old))
        and then Transmit_Pair (This) = Transmit_Pair (This'Old);
 
+   --  Time has passed, and the board is not within a message; see Elapse.
+   procedure Elapse_Otherwise (This : in out Board; Time : Character_Times)
+   with No_Inline;
+
    --  Rare paths are out of line, so that the common path for each character
-   --  stays short. Accept_Other and Begin_Or_Reply have no contract; they are
-   --  proved at their calls.
+   --  stays short. Elapse_Otherwise, Accept_Other and Begin_Or_Reply have no
+   --  contract; they are proved at their calls.
 
    --  Accepts a character that is not a byte of a block; see Accept_Character.
    procedure Accept_Other
@@ -108,17 +113,12 @@ package body Telemetry.Boards with SPARK_Mode is
             Data, Parity_Error, Trigger);
          Heard := This.Control.Receiver;
          Block := Delivery_After (This.Control, Trigger);
-         This.Control :=
-           Informed (This.Control, Trigger, This.Transmit_Pair);
+         Inform (This.Control, Trigger, Block, This.Transmit_Pair);
          pragma Assert (Is_Sound (This.Control));
          pragma Assert
            (Has_Block_Out (This.Control) =
               (Has_Block_Out (Before) and then Block = Open));
-         if Block /= Open then
-            This.Transmit_Pair :=
-              Settled
-                (This.Transmit_Pair, This.Control.Sender.Source, Block);
-         end if;
+         Settle (This.Transmit_Pair, This.Control.Sender.Source, Block);
          pragma Assert (Holds (This.Transmit_Pair, This.Control));
          pragma Assert (Fits (This.Control, This.Transmit_Pair));
          pragma Assert
@@ -138,8 +138,9 @@ package body Telemetry.Boards with SPARK_Mode is
       Data         : Byte;
       Parity_Error : Boolean) is
    begin
+      --  A board with a message has nothing else to send and does not idle.
       if Takes_Byte (This.Control.Receiver, This.Control.Receive_Length)
-        and then Is_Listening (This.Control)
+        and then not This.Control.Line_Taken
       then
          Store_Byte
            (This.Control.Receiver, This.Receive_Pair,
@@ -158,17 +159,19 @@ package body Telemetry.Boards with SPARK_Mode is
       Send   : out Boolean;
       Data   : out Byte)
    is
-      Before : constant Turns.Control := Item;
+      Before : constant Turns.Control := Item with Ghost;
+      Begins : constant Boolean := May_Begin_Block (Item, Blocks);
    begin
-      Item := Prepared (Before, Blocks);
-      if May_Begin_Block (Before, Blocks) then
+      Prepare (Item, Blocks, Begins);
+      pragma Assert (Item = Prepared (Before, Blocks));
+      if Begins then
          pragma Assert (Item.Sender.Source = Newest_Full (Blocks));
-         Blocks := Begun (Blocks, Item.Sender.Source);
+         Begin_Block (Blocks, Item.Sender.Source);
       end if;
       pragma Assert (Holds (Blocks, Item));
       pragma Assert (Fits (Item, Blocks));
       Data := Output (Item, Blocks);
-      Item := Spoken (Item, Blocks);
+      Note_Spoken (Item, Blocks);
       pragma Assert (Holds (Blocks, Item));
       Send := Item.Line_Taken;
    end Begin_Or_Reply;
@@ -222,26 +225,33 @@ package body Telemetry.Boards with SPARK_Mode is
    end Next_Character;
 
    procedure Judge (This : in out Board) is
-      Before : constant Turns.Control := This.Control;
+      Before  : constant Turns.Control := This.Control with Ghost;
+      Target  : constant Slot    := This.Control.Receiver.Target;
+      Damaged : constant Boolean := This.Control.Receiver.Damaged;
    begin
-      This.Receive_Pair := Pair_Judged (Before.Receiver, This.Receive_Pair);
-      This.Control := Judged (Before, This.Receive_Pair);
+      This.Receive_Pair.Slots (Target).Busy := False;
+      This.Receive_Pair.Slots (Target).Full := not Damaged;
+      if not Damaged then
+         This.Receive_Pair.Newest := Target;
+      end if;
+      Judge_Message (This.Control, This.Receive_Pair);
       pragma Assert (not Has_Block_Out (Before));
       pragma Assert (Holds (This.Transmit_Pair, This.Control));
    end Judge;
 
    procedure Break_Off (This : in out Board; Time : Character_Times) is
-      Before : constant Turns.Control := This.Control;
+      Before : constant Turns.Control := This.Control with Ghost;
+      Block  : constant Delivery := Delivery_In_Reset (This.Control);
    begin
-      This.Control := Elapsed (Before, Time, This.Transmit_Pair);
-      This.Receive_Pair := Released (This.Receive_Pair);
-      This.Transmit_Pair :=
-        Settled
-          (This.Transmit_Pair, Before.Sender.Source,
-           Delivery_In_Reset (Before));
+      Reset_Control (This.Control, This.Transmit_Pair);
+      pragma Assert
+        (This.Control = Elapsed (Before, Time, This.Transmit_Pair));
+      Release (This.Receive_Pair);
+      Settle (This.Transmit_Pair, This.Control.Sender.Source, Block);
    end Break_Off;
 
-   procedure Elapse (This : in out Board; Time : Character_Times) is
+   procedure Elapse_Otherwise (This : in out Board; Time : Character_Times)
+   is
    begin
       if not Is_Over_After (This.Control, Time) then
          if Is_Waiting (This.Control) then
@@ -251,6 +261,20 @@ package body Telemetry.Boards with SPARK_Mode is
          Judge (This);
       else
          Break_Off (This, Time);
+      end if;
+   end Elapse_Otherwise;
+
+   procedure Elapse (This : in out Board; Time : Character_Times) is
+   begin
+      --  Within a message a board waits for the next character.
+      if This.Control.Receiver.State = In_Data
+        and then not This.Control.Line_Taken
+        and then This.Control.Silence + Time
+                 < Dead_Space_On (This.Control.Round_Trip)
+      then
+         This.Control.Silence := This.Control.Silence + Time;
+      else
+         Elapse_Otherwise (This, Time);
       end if;
    end Elapse;
 

@@ -286,9 +286,13 @@ private
 
    --  These two read the component itself: Control_Of copies it.
 
+   --  Within a message the board waits, unless its own character is on the
+   --  line.
    function May_Speak (This : Board) return Boolean is
-     (not Is_Waiting (This.Control)
-      or else This.Control.Receiver.State = At_End);
+     (case This.Control.Receiver.State is
+         when At_End  => True,
+         when In_Data => This.Control.Line_Taken,
+         when others  => not Is_Waiting (This.Control));
 
    function Time_Left (This : Board) return Character_Times is
      (Time_Left (This.Control));

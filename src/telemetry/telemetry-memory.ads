@@ -81,8 +81,8 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      Pre    => Any_Full (Pair),
      Post   => Pair.Slots (Newest_Full'Result).Full;
 
-   --  The changes of a pair. The operations of the protocol assign the results
-   --  of these functions.
+   --  The changes of a pair, as functions; some procedures below make them in
+   --  place.
 
    --  No buffer is busy any more.
    function Released (Pair : Buffer_Pair) return Buffer_Pair is
@@ -153,12 +153,34 @@ package Telemetry.Memory with Pure, SPARK_Mode is
            (for Each in Slot => (Pair.Slots (Each) with delta Full => False))))
    with Global => null;
 
-   --  The same in place
+   --  In place
+
    procedure Take_All (Pair : in out Buffer_Pair)
    with
      Inline,
      Global => null,
      Post   => Pair = Taken (Pair'Old);
+
+   procedure Release (Pair : in out Buffer_Pair)
+   with
+     Inline,
+     Global => null,
+     Post   => Pair = Released (Pair'Old);
+
+   procedure Settle
+     (Pair  : in out Buffer_Pair;
+      Which : Slot;
+      Block : Delivery)
+   with
+     Global => null,
+     Post   => Pair = Settled (Pair'Old, Which, Block);
+
+   procedure Begin_Block (Pair : in out Buffer_Pair; Which : Slot)
+   with
+     Inline,
+     Global => null,
+     Pre    => Pair.Slots (Which).Attempts < Attempt_Count'Last,
+     Post   => Pair = Begun (Pair'Old, Which);
 
    --  The controller has put a block into a transmit pair.
    function Filled

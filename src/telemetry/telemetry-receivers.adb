@@ -37,21 +37,42 @@ package body Telemetry.Receivers with SPARK_Mode is
       Parity_Error : Boolean;
       Outcome      : out Event)
    is
-      Was    : constant Receiver    := This;
+      Was    : constant Receiver    := This with Ghost;
       Before : constant Buffer_Pair := Pair with Ghost;
    begin
       if Takes_Byte (This, Length) then
          Outcome := (others => <>);
          Store_Byte (This, Pair, Length, Data, Parity_Error);
       else
-         Outcome := Outcome_Of (Was, Length, Wants_Data, Data, Parity_Error);
-         This := Receiver_After (Was, Pair, Outcome.Kind, Data, Parity_Error);
+         Outcome := Outcome_Of (This, Length, Wants_Data, Data, Parity_Error);
+         case Outcome.Kind is
+            when Nothing | Command | Status =>
+               null;
+            when Lost_Step =>
+               This.State := Out_Of_Step;
+            when Block_Begun =>
+               This :=
+                 (State    => In_Data,
+                  Target   => To_Fill (Pair),
+                  Received => 0,
+                  Sum      => Checksum.Next (Checksum.First_Value, Data),
+                  Damaged  => False);
+               Pair.Slots (This.Target).Busy := True;
+               Pair.Slots (This.Target).Full := False;
+               pragma Assert
+                 (This.Sum = Checksum.Of_Message
+                    (Data, Pair.Slots (This.Target).Data, 0)
+                  and then Data = Data_Header (Length));
+            when Block_Whole =>
+               This.State := At_End;
+            when Block_Spoilt =>
+               This.State := At_End;
+               This.Damaged := True;
+         end case;
          pragma Assert
-           (if Outcome.Kind = Block_Begun
-            then This.Sum =
-              Checksum.Of_Message (Data, Pair.Slots (This.Target).Data, 0)
-              and then Data = Data_Header (Length));
-         Pair := Pair_After (Pair, Outcome.Kind);
+           (This = Receiver_After
+              (Was, Before, Outcome.Kind, Data, Parity_Error));
+         pragma Assert (Pair = Pair_After (Before, Outcome.Kind));
          pragma Assert
            (if Outcome.Kind in Block_Whole | Block_Spoilt
             then Has_Message (Was)

@@ -4,7 +4,8 @@
 --  appendix A; LNK-2, LNK-3, LNK-6 to LNK-10, D-18, D-20, D-22).
 --
 --  Control is the whole state of a board except for the blocks in its buffers.
---  Telemetry.Boards assigns the results of these functions.
+--  The protocol is a set of functions. Telemetry.Turns.Changes has the same as
+--  procedures, for Telemetry.Boards.
 --
 --  A waiting board that hears nothing for the dead space resets itself. The
 --  ground then idles until it has heard nothing for a longer time: by then the

@@ -1,9 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The test of the RAM that has the variables and the stack (report, 2.4;
---  TST-1, BRD-3). Start-up code calls it at power up, before variables have
---  their first values. It uses no variables, and a stack in the scratchpad,
---  which the node's own self-test marches through later.
+--  TST-1, BRD-3, BRD-10). Start-up code calls it at power up, before variables
+--  have their first values. It uses no variables, and a stack in the
+--  scratchpad, which the node's own self-test marches through later.
 
 with System;
 

@@ -1,7 +1,8 @@
 | SPDX-License-Identifier: Apache-2.0
 
 | Vectors and start-up of the MC68000 (BRD-2, BRD-4, D-81), for the controller
-| and, with the symbol TELEMETRY_BOARD, for the telemetry board (BRD-8).
+| and, with the symbol TELEMETRY_BOARD, for the telemetry board (BRD-8, BRD-10). With
+| UNTESTED there is no test of RAM (exploration).
 |
 | The six long words at urv_kept survive a restart:
 |    0  "KEPT" once a program has been elaborated: memory is worth keeping
@@ -73,7 +74,9 @@ urv_reset:
 	| Power up: take the dual-ported memory from the telemetry board. Any
 	| operation of the board ends before the variables have their first values.
 	clr.l	urv_board_ready
+	.endif
 
+	.ifndef	UNTESTED
 	| Test the RAM of the variables and the stack, with a stack elsewhere.
 	lea	urv_scratchpad_end, %sp
 	pea	urv_stack_top
@@ -91,7 +94,7 @@ urv_reset:
 1:	move.l	(%a0)+, (%a1)+
 2:	cmp.l	%a2, %a1
 	jcs	1b
-	.ifdef	TELEMETRY_BOARD
+	.ifdef	UNTESTED
 	lea	urv_bss_start, %a1
 	lea	urv_bss_end, %a2
 	moveq	#0, %d0
@@ -229,6 +232,12 @@ urv_march:
 	movem.l	(%sp)+, %d2-%d3
 	rts
 	.endif
+
+| Sleeps for ever, and takes interrupts.
+	.globl	urv_serve_interrupts
+urv_serve_interrupts:
+	stop	#0x2000
+	jra	urv_serve_interrupts
 
 | Ada's Test_And_Set: the result is 1 if the byte was free.
 	.globl	urv_test_and_set

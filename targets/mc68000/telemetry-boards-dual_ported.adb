@@ -30,7 +30,9 @@ package body Telemetry.Boards.Dual_Ported is
    --  fewer. There is one only while the other processor seems to have failed.
    Most_Tries : constant := 500;
 
-   Tries : Positive := Most_Tries;
+   type Try_Count is range 1 .. Most_Tries with Size => 16;
+
+   Tries : Try_Count := Most_Tries;
 
    --  The controller's operations that wait for a claim, and its last results
 
@@ -41,7 +43,11 @@ package body Telemetry.Boards.Dual_Ported is
    Last_Tally : Statistics := (others => <>);
 
    --  Waits for the lock. Claimed is False if the wait was too long.
-   procedure Claim (Claimed : out Boolean);
+   procedure Claim (Claimed : out Boolean)
+   with Inline;
+
+   procedure Go_On_Trying (Claimed : out Boolean);
+   pragma No_Inline (Go_On_Trying);
 
    procedure Release
    with Inline;
@@ -71,17 +77,27 @@ package body Telemetry.Boards.Dual_Ported is
    procedure Claim (Claimed : out Boolean) is
    begin
       Is_Claiming := True;
-      for Try in 1 .. Tries loop
-         if not Is_Taken_By_Other then
+      if not Is_Taken_By_Other then
+         Tries := Most_Tries;
+         Claimed := True;
+      else
+         Go_On_Trying (Claimed);
+      end if;
+   end Claim;
+
+   procedure Go_On_Trying (Claimed : out Boolean) is
+   begin
+      for Try in 2 .. Tries loop
+         Claimed := not Is_Taken_By_Other;
+         if Claimed then
             Tries := Most_Tries;
-            Claimed := True;
             return;
          end if;
       end loop;
       Is_Claiming := False;
       Tries := 1;
       Claimed := False;
-   end Claim;
+   end Go_On_Trying;
 
    procedure Release is
    begin

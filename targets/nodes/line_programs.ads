@@ -40,6 +40,14 @@ package Line_Programs is
    function Is_Due return Boolean
    with Inline;
 
+   --  The line has brought a character; urv_character does the same.
+   procedure Hear (Data : Byte; Is_Damaged : Boolean)
+   with Inline;
+
+   --  The turn of the telemetry board, which Is_Due has shown: urv_free_sender
+   --  does both.
+   procedure Take_Turn;
+
 private
 
    procedure On_Character_Time

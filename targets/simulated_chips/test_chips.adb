@@ -140,6 +140,9 @@ procedure Test_Chips is
 
    procedure Set_Up_DUART;
    procedure Receive_From_DUART (Plan : Event_Plan);
+
+   --  With a look before each character, and Receive only for faulty ones.
+   procedure Look_At_DUART (Plan : Event_Plan);
    procedure Receive_From_DUART;
    procedure Send_To_DUART;
    procedure Take_Periods (Plan : Event_Plan);
@@ -174,9 +177,39 @@ procedure Test_Chips is
         (Sums, Counts.Overruns, Counts.Parity_Errors, Counts.Framing_Errors);
    end Receive_From_DUART;
 
+   procedure Look_At_DUART (Plan : Event_Plan) is
+      use type DUART.Arrival;
+      Counts         : DUART.Error_Counts;
+      Line           : DUART.Arrival;
+      Result         : DUART.Reception;
+      Sums           : Totals;
+      Unused_Is_Free : Boolean;
+   begin
+      Begin_Plan (No_Events);
+      DUART.Set_Up (MC68681.Line);
+      Begin_Plan (Plan);
+      loop
+         DUART.Look (MC68681.Line, Line, Unused_Is_Free);
+         exit when Is_Over and then Line = DUART.Nothing;
+         if Line = DUART.Good then
+            DUART.Take (MC68681.Line, Result.Data);
+            Follow (Sums, (True, False, (Result.Data, False, False)));
+         elsif Line = DUART.Faulty then
+            DUART.Receive (MC68681.Line, Counts, Result);
+            Follow
+              (Sums,
+               (Result.Is_There, Result.Overrun,
+                (Result.Data, Result.Wrong_Parity, Result.Wrong_Framing)));
+         end if;
+      end loop;
+      Compare
+        (Sums, Counts.Overruns, Counts.Parity_Errors, Counts.Framing_Errors);
+   end Look_At_DUART;
+
    procedure Receive_From_DUART is
    begin
       Try_All (Receive_From_DUART'Access);
+      Try_All (Look_At_DUART'Access);
    end Receive_From_DUART;
 
    procedure Send_To_DUART is

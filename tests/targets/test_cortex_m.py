@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1, BRD-2, BRD-3, BRD-9, TST-5: both nodes on a bare Cortex-M4, in QEMU, beside the
-simulation of the same flight."""
+"""BRD-1, BRD-2, BRD-3, BRD-9, TST-5: both nodes on a bare Cortex-M4, in QEMU,
+beside the simulation of the same flight."""
 
 import math
 import socket

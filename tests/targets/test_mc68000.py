@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1 to BRD-4, BRD-8, TST-5: both nodes on the report's processor, on an
-emulated board beside the simulation of the same flight."""
+"""BRD-1 to BRD-4, BRD-8, BRD-10, TST-5: both nodes on the report's processor, on
+an emulated board beside the simulation of the same flight."""
 
 import subprocess
 
@@ -350,6 +350,60 @@ def link_is_up(runs):
     assert mcs.uplink(last_mcs) == gsc.uplink(last_gsc)
     assert gsc.downlink(last_gsc)[0] == SENSORS
     assert gsc.downlink(last_gsc)[:-1] == mcs.downlink(last_mcs)[:-1]
+
+
+def board_place(name):
+    """The address of a symbol of the telemetry board's program."""
+    symbols = subprocess.run(
+        [f"{MACHINE.prefix}nm", MACHINE.images / "telemetry_board.elf"],
+        check=True, capture_output=True, text=True).stdout
+    return next(int(line.split()[0], 16) for line in symbols.splitlines()
+                if line.endswith(f" {name}"))
+
+
+def the_link_is_down(runs, failed):
+    """The failed board sends nothing, and is never started. Both controllers
+    run, and have old data only: they see a lost link."""
+    assert "board telemetry board cold start" not in runs[failed].text
+    for node, run in runs.items():
+        assert run.has(f"{node.upper()} started")
+        assert sorted(run.rows) == list(range(len(run.rows)))
+        assert run.numbers["overruns"] == run.numbers["received"] == 0
+    last = max(runs["gsc"].rows)
+    assert runs["gsc"].downlink(last)[-1] & bare.OLD
+    assert runs["mcs"].uplink(max(runs["mcs"].rows))[-1] & bare.OLD
+
+
+@pytest.mark.parametrize("node", ["gsc", "mcs"])
+@pytest.mark.parametrize("place", [-1, 0x2_7000, "program"],
+                         ids=["sum", "filling", "program"])
+def test_brd10_a_changed_bit_of_a_telemetry_board_keeps_it_silent(
+        tmp_path, node, place):
+    image = bytearray((MACHINE.images / "telemetry_board.bin").read_bytes())
+    # In the program, a bit of a text that the start does not need.
+    if place == "program":
+        place = image.index(b"framing_errors")
+    image[place] ^= 0x10
+    (tmp_path / "board.bin").write_bytes(image)
+    tapes = {"gsc": emulated.Tape(1), "mcs": emulated.Tape(1, emulated.LAG)}
+    runs = MACHINE.fly(tapes, tmp_path,
+                       {f"{node}_board": tmp_path / "board.bin"})
+    assert runs[node].has("board telemetry board refused, test 1")
+    the_link_is_down(runs, node)
+
+
+@pytest.mark.parametrize("place,line", [
+    ("urv_data_start", "no start: RAM is faulty, byte {}"),
+    ("urv_stack_bottom", "no start: RAM is faulty, byte {}"),
+    ("urv_tested_ram", "telemetry board refused, test 2")])
+def test_brd10_a_stuck_cell_of_a_telemetry_board_keeps_it_silent(
+        tmp_path, place, line):
+    where = board_place(place)
+    (tmp_path / "gsc_board.stuck").write_text(f"{where:x} 40")
+    tapes = {"gsc": emulated.Tape(1), "mcs": emulated.Tape(1, emulated.LAG)}
+    runs = MACHINE.fly(tapes, tmp_path)
+    assert runs["gsc"].has("board " + line.format(where))
+    the_link_is_down(runs, "gsc")
 
 
 def test_brd8_the_dual_ported_memory_at_power_up_is_random(tmp_path):

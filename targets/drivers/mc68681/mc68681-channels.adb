@@ -71,6 +71,27 @@ package body MC68681.Channels with SPARK_Mode is
       end if;
    end Receive;
 
+   procedure Look
+     (Port           : Port_Name;
+      Line           : out Arrival;
+      Sender_Is_Free : out Boolean)
+   is
+      Status : Channel_Status;
+   begin
+      Read_Status (Port, Status);
+      Line :=
+        (if Status.Received
+         then (if Status.Errors = No_Errors then Good else Faulty)
+         elsif Has (Status.Errors, Overrun) then Faulty
+         else Nothing);
+      Sender_Is_Free := Status.Takes_Character;
+   end Look;
+
+   procedure Take (Port : Port_Name; Data : out Byte) is
+   begin
+      Read_Data (Port, Data);
+   end Take;
+
    procedure Look_At_Sender (Port : Port_Name; Is_Free : out Boolean) is
       Status : Channel_Status;
    begin

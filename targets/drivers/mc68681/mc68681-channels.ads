@@ -117,6 +117,48 @@ package MC68681.Channels with SPARK_Mode is
          (if Result.Sender_Is_Free then State (Port).Takes_Character)
        and then State (Port).Sent = State (Port)'Old.Sent;
 
+   --  A look that costs less than Receive. Faulty: a character with an error
+   --  waits, or one was lost. Receive reports it.
+
+   type Arrival is (Nothing, Good, Faulty);
+
+   procedure Look
+     (Port           : Port_Name;
+      Line           : out Arrival;
+      Sender_Is_Free : out Boolean)
+   with
+     Inline,
+     Global => (In_Out => Chips),
+     Post   =>
+       Follows (State (Port), State (Port)'Old)
+       and then Sender_Is_Free = State (Port).Takes_Character
+       and then
+         (Line = Nothing) =
+           (State (Port).Held = 0 and then not State (Port).Overrun)
+       and then
+         (if Line = Good
+          then State (Port).Held > 0
+            and then not State (Port).Overrun
+            and then Is_Good
+              (Received_Character (Port, State (Port).Oldest)));
+
+   function Is_Good (Heard : Heard_Character) return Boolean is
+     (not Heard.Wrong_Parity
+      and then not Heard.Wrong_Framing
+      and then not Heard.Is_Break)
+   with Ghost;
+
+   --  The character that Look has shown as Good.
+   procedure Take (Port : Port_Name; Data : out Byte)
+   with
+     Inline,
+     Global => (In_Out => Chips),
+     Pre    => State (Port).Held > 0,
+     Post   =>
+       Follows (State (Port), Without_Oldest (State (Port)'Old))
+       and then
+         Data = Received_Character (Port, State (Port)'Old.Oldest).Data;
+
    function Matches
      (Result : Reception;
       Heard  : Heard_Character) return Boolean

@@ -10,8 +10,9 @@
    counts the cycles of the calls of these subprograms, without the interrupts
    and the other subprograms of the file that they contain. With a file
    OUTPUT/NODE.stuck, "address bits", both hexadecimal, these bits of a byte in
-   the controller's RAM always read as 0. A tape can make bits stick later, or
-   follow another bit.
+   the controller's RAM always read as 0; with OUTPUT/NODE_board.stuck those in
+   the telemetry board's RAM. A tape can make bits of the controller stick later,
+   or follow another bit.
 
    While the controller tests a cell of its RAM in flight, the fifth long word of
    the kept ones has the cell's address. When the test ends, the cell must have
@@ -1214,6 +1215,7 @@ static void power_up_node(const char *output, char **arguments)
    node->dual = controller->dual = malloc(DUAL_SIZE);
    if (!node->dual)
       exit(2);
+   read_stuck_bits(output);
    /* Its contents at power up are random, but the same in each run. */
    for (unsigned each = 0; each < DUAL_SIZE; each++)
       node->dual[each] = (uint8_t)(each * 151 + 77);

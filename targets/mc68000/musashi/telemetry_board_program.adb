@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Devices.Memory_Bus;          use Devices.Memory_Bus;
+with Devices.Processor_Memories;
 with Last_Chance;
 pragma Unreferenced (Last_Chance);
 with Line_Programs;
@@ -11,9 +13,14 @@ with MC68681.Channels;            use MC68681.Channels;
 with MC68681.Registers;
 with MC68681.Timers;              use MC68681.Timers;
 with System.Storage_Elements;     use System.Storage_Elements;
+with Power_Up_Tests;
+pragma Unreferenced (Power_Up_Tests);
 with Targets;
 with Telemetry.Boards.Dual_Ported; use Telemetry.Boards.Dual_Ported;
 with URVOS;                       use URVOS;
+with URVOS.Self_Tests;            use URVOS.Self_Tests;
+with URVOS.Start_Tests;
+with URVOS.Starts;                use URVOS.Starts;
 
 package body Telemetry_Board_Program is
 
@@ -40,35 +47,96 @@ package body Telemetry_Board_Program is
    --  The line's errors since power up.
    Errors : Error_Counts;
 
-   --  Nobody puts it up: all work is done in interrupts.
-   Awake : aliased Targets.Flag := Targets.Down;
+   --  All work is done in interrupts.
+   procedure Serve_Interrupts
+   with
+     Import,
+     Convention    => C,
+     External_Name => "urv_serve_interrupts",
+     No_Return;
 
    package Line_Turns is new Line_Programs (Accept_Character, Next_Character);
 
-   procedure On_Character (Data : Unsigned_32; Damaged : Unsigned_32)
-   with Import, Convention => C, External_Name => "urv_character";
-   procedure On_Free_Sender
-   with Import, Convention => C, External_Name => "urv_free_sender";
+   --  The tests of ROM, scratchpad and processor, as on the controller.
 
-   --  Gives the board this character, and those that have come after it.
-   procedure Hear (Data : Byte; Is_Damaged : Boolean);
+   package Memories is new Devices.Processor_Memories (Board => 1);
+
+   package Tests is new URVOS.Start_Tests
+     (Last_Long => Last_ROM_Long,
+      Last_Word => Last_RAM_Word,
+      Read_ROM  => Memories.Read_ROM,
+      Read_RAM  => Memories.Read_RAM,
+      Write_RAM => Memories.Write_RAM);
+
+   --  A board that fails a test stops: it sends nothing, and does not touch
+   --  the dual-ported memory.
+   procedure Test (Condition : Integer_32);
+
+   --  Gives the board the characters that have come. Then it may speak.
+   procedure Hear (First : Arrival);
    pragma No_Inline (Hear);
+
+   procedure Hear_Faulty;
+   pragma No_Inline (Hear_Faulty);
+
+   --  The sender is free: the board speaks if it has its turn.
+   procedure Look_For_Turn
+   with Inline;
+
+   procedure Speak;
+   pragma No_Inline (Speak);
 
    procedure Put_Errors;
    pragma No_Inline (Put_Errors);
 
-   --  Apart, so that the usual path saves and restores fewer registers.
-   procedure Hear (Data : Byte; Is_Damaged : Boolean) is
+   --  Rare paths are apart, so that the usual path saves and restores no
+   --  registers.
+
+   procedure Speak is
+   begin
+      Line_Turns.Take_Turn;
+      if Is_Over /= 0 then
+         Put_Errors;
+      end if;
+   end Speak;
+
+   procedure Look_For_Turn is
+   begin
+      if Has_News then
+         Line_Turns.Hurry;
+      end if;
+      if Line_Turns.Is_Due then
+         Speak;
+      end if;
+   end Look_For_Turn;
+
+   procedure Hear_Faulty is
       Result : Reception;
    begin
-      On_Character (Unsigned_32 (Data), (if Is_Damaged then 1 else 0));
+      Receive (Line, Errors, Result);
+      if Result.Is_There then
+         Line_Turns.Hear (Result.Data, Is_Damaged (Result));
+      end if;
+   end Hear_Faulty;
+
+   procedure Hear (First : Arrival) is
+      Next           : Arrival := First;
+      Data           : Byte;
+      Sender_Is_Free : Boolean;
+   begin
       loop
-         Receive (Line, Errors, Result);
-         exit when not Result.Is_There;
-         On_Character
-           (Unsigned_32 (Result.Data),
-            (if MC68681.Channels.Is_Damaged (Result) then 1 else 0));
+         if Next = Good then
+            Take (Line, Data);
+            Line_Turns.Hear (Data, Is_Damaged => False);
+         else
+            Hear_Faulty;
+         end if;
+         Look (Line, Next, Sender_Is_Free);
+         exit when Next = Nothing;
       end loop;
+      if Sender_Is_Free then
+         Look_For_Turn;
+      end if;
    end Hear;
 
    procedure Put_Errors is
@@ -82,8 +150,9 @@ package body Telemetry_Board_Program is
    end Put_Errors;
 
    procedure On_Line is
-      Is_Due : Boolean;
-      Result : Reception;
+      Is_Due         : Boolean;
+      First          : Arrival;
+      Sender_Is_Free : Boolean;
    begin
       Take_Period (Line_Chip, Is_Due);
       if not Is_Due then
@@ -92,24 +161,32 @@ package body Telemetry_Board_Program is
       if not Is_Ready then
          Targets.Restart_Processor (Memory_Is_Taken);
       end if;
-      Line_Turns.Count_Character_Time;
-      Receive (Line, Errors, Result);
-      if Result.Is_There then
-         Hear (Result.Data, Is_Damaged (Result));
-      end if;
-      if Result.Sender_Is_Free then
-         if Has_News then
-            Line_Turns.Hurry;
-         end if;
-         if Line_Turns.Is_Due then
-            On_Free_Sender;
-         end if;
-      end if;
       Targets.Feed_Watchdog;
-      if Is_Over /= 0 then
-         Put_Errors;
+      Line_Turns.Count_Character_Time;
+      Look (Line, First, Sender_Is_Free);
+      if First /= Nothing then
+         Hear (First);
+      elsif Sender_Is_Free then
+         Look_For_Turn;
       end if;
    end On_Line;
+
+   procedure Test (Condition : Integer_32) is
+      Result : Test_Result;
+   begin
+      Tests.Run
+        ((case Condition is
+             when 0      => Cold_Start,
+             when 1      => Warm_Reset,
+             when others => Processor_Restart),
+         Result);
+      if not Result.Passed then
+         Put ("telemetry board refused,");
+         Put_Labelled ("test", Unsigned_32 (Test_Number (Result.Failed)));
+         Put_Line;
+         Targets.Stop;
+      end if;
+   end Test;
 
    procedure Run (Condition : Integer_32) is
    begin
@@ -121,6 +198,7 @@ package body Telemetry_Board_Program is
          Put_Labelled ("reason", Kept (2));
          Put_Line;
       end if;
+      Test (Condition);
       while not Is_Ready loop
          null;
       end loop;
@@ -132,9 +210,7 @@ package body Telemetry_Board_Program is
          else "telemetry board processor restart");
       MC68681.Timers.Start (Line_Chip, Counts_Per_Character);
       Use_Interrupts (Line_Chip, Line_Vector, Receiver => False);
-      loop
-         Targets.Sleep (Awake'Access);
-      end loop;
+      Serve_Interrupts;
    end Run;
 
    procedure Power_Up is

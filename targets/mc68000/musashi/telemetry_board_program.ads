@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The program of a telemetry board with an MC68000 of its own (report,
---  appendix A; BRD-8). Both nodes have the same: the station and the lengths
---  of the blocks are in the dual-ported memory.
+--  appendix A; BRD-8, BRD-10). Both nodes have the same: the station and the
+--  lengths of the blocks are in the dual-ported memory.
 --
 --  The timer of the MC68681 gives the character times. Its receiver's
 --  characters are taken at each character time: the receiver's interrupt would
