@@ -102,7 +102,7 @@ optimise="$optimise -fno-delete-null-pointer-checks"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatw.V -gnatwe -gnatyg -gnatyM79 -g"
 
 # Both nodes share the objects, which are made again with other switches.
-stamp="$stamp $language $listing $optimise $fast schedulers boards"
+stamp="$stamp $language $listing $optimise $fast schedulers boards laws"
 if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
    rm -rf objects
    mkdir objects
@@ -111,10 +111,11 @@ fi
 cd objects
 # The telemetry board's software runs at each character, the converter's board at
 # each channel, and the scheduler's loops several times at each tick: they are
-# built for speed. These are names, not paths: a machine may have a body of its
-# own.
+# built for speed, and so are loops over surfaces and recorded words. These are
+# names, not paths: a machine may have a body of its own.
 for each in telemetry-boards telemetry-receivers telemetry-shared_boards \
-   urvos-schedulers urvos-schedulers-calls urv-ad_boards
+   urvos-schedulers urvos-schedulers-calls urv-ad_boards urv-law_steps \
+   urv-recorder_rows
 do
    # shellcheck disable=SC2086
    "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \
