@@ -4,6 +4,7 @@
 with the simulation, and prints the figures (BRD-1).
 
     targets/figures.py cortex_m|mc68000 [SECONDS]
+    targets/figures.py mc68000 SECONDS MHZ      at another clock than 250 MHz
 
 Exit status: 0 when all words are those of the simulation.
 """
@@ -85,6 +86,10 @@ def main():
         sys.exit(__doc__)
     machine = emulated.MACHINES[sys.argv[1]]
     seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 10
+    if len(sys.argv) > 3:
+        if machine is not emulated.MC68000_BOARD or not sys.argv[3].isdigit():
+            sys.exit(__doc__)
+        machine.mhz = int(sys.argv[3])
     good = True
     for laws in (False, True):
         with tempfile.TemporaryDirectory() as folder:

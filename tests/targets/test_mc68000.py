@@ -33,6 +33,19 @@ def test_brd4_each_frame_has_the_words_of_the_simulation(tmp_path, laws):
     bare.flies_like_the_simulation(MACHINE, tmp_path, laws)
 
 
+@pytest.mark.parametrize("laws", [False, True], ids=["direct", "laws"])
+def test_brd4_at_20_mhz_tasks_are_late_and_all_words_are_the_same(
+        tmp_path, monkeypatch, laws):
+    monkeypatch.setattr(MACHINE, "mhz", 20)
+    rows, runs = MACHINE.fly_both(tmp_path, bare.SECONDS, laws)
+    assert list(emulated.differences(rows, runs)) == []
+    frames = bare.SECONDS * emulated.FRAMES_PER_S
+    for run in runs.values():
+        assert sorted(run.rows)[:frames - 1] == list(range(frames - 1))
+        assert run.numbers["overruns"] > 0
+        assert run.numbers["bad"] == run.numbers["resets"] == 0
+
+
 @pytest.mark.parametrize("events", [
     [(emulated.ILLEGAL_INSTRUCTION, ILLEGAL),
      (emulated.UNEXPECTED_INTERRUPT, UNUSED_VECTOR)],
