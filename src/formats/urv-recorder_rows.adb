@@ -26,8 +26,8 @@ package body URV.Recorder_Rows with SPARK_Mode is
       Partials := Partials + Sum;
    end Add;
 
-   --  A loop for each part: finding a part for each word takes longer than
-   --  adding it.
+   --  A loop for each part that a row has: finding a part for each word takes
+   --  longer than adding it.
    function Row_Of (Number : Row_Number; Words : Recorded_Words) return Row is
       Sum      : Word := 0;
       Partials : Word := 0;
@@ -44,19 +44,19 @@ package body URV.Recorder_Rows with SPARK_Mode is
          pragma Loop_Invariant
            (Partials = Partials_Up_To (Number, Words, Place));
       end loop;
-      for Item in Downlink_Item loop
+      for Item in Downlink_Item'Val (0) .. Downlink_Item'Val (32 - 5) loop
          Add (Words.Sensors (Item), Sum, Partials);
          pragma Loop_Invariant
            (Are_Sums
               (Number, Words, Downlink_Item'Pos (Item) + 5, Sum, Partials));
       end loop;
-      for Item in Uplink_Item loop
+      for Item in Uplink_Item'Val (0) .. Uplink_Item'Val (46 - 33) loop
          Add (Words.Commands (Item), Sum, Partials);
          pragma Loop_Invariant
            (Are_Sums
               (Number, Words, Uplink_Item'Pos (Item) + 33, Sum, Partials));
       end loop;
-      for Item in PWM_Item loop
+      for Item in PWM_Item'Val (0) .. PWM_Item'Val (60 - 47) loop
          Add (Words.Servos (Item), Sum, Partials);
          pragma Loop_Invariant
            (Are_Sums

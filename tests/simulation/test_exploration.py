@@ -17,6 +17,7 @@ import tree_copy  # noqa: E402
 
 TIME_LIMIT_S = 900
 TURNS = "src/telemetry/telemetry-turns.ads"
+CHANGES = "src/telemetry/telemetry-turns-changes.adb"
 
 # Name: file, text, the replacement, and the exploration's message with blocks
 # of 2 bytes: the real lengths take ten times as long.
@@ -34,9 +35,9 @@ CANARIES = {
         "back in step: ",
     ),
     "the ground sends without limit": (
-        TURNS,
-        "This.In_A_Row + Boolean'Pos (This.Role = Ground)",
-        "This.In_A_Row",
+        CHANGES,
+        "This.In_A_Row := This.In_A_Row + 1;",
+        "null;",
         "back in step: NEVER",
     ),
 }
