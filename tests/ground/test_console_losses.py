@@ -25,6 +25,7 @@ from urv import packets
 HELD, LIVE, NEUTRAL = (packets.ConsoleState.HELD, packets.ConsoleState.LIVE,
                        packets.ConsoleState.NEUTRAL)
 STALE = 1
+MOST_FRAMES = 3_000
 ROLL = 2500
 
 # The bench's sensors: on the ground, or in flight at 64 kt and 1024 ft.
@@ -51,11 +52,11 @@ class Flight:
         self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self._socket.bind(("127.0.0.1", 0))
         self.mcs = self._start(
-            "mcs", ROOT / "bin/urv_mcs", "--laws", "on",
+            "mcs", ROOT / "bin/urv_mcs", "--laws", "on", "--phase", "3",
             "--link", f"udp:127.0.0.1:{mcs}:127.0.0.1:{gsc}",
             "--sensors", folder / "sensors.csv", *self._outputs("mcs"))
         self.gsc = self._start(
-            "gsc", ROOT / "bin/urv_gsc", "--packets", "2",
+            "gsc", ROOT / "bin/urv_gsc", "--packets", "2", "--phase", "0",
             "--link", f"udp:127.0.0.1:{gsc}:127.0.0.1:{mcs}",
             "--console", f"udp:127.0.0.1:{console}",
             "--publish", f"udp:127.0.0.1:{frames}", "--publish",
@@ -85,15 +86,17 @@ class Flight:
                 self._more.notify_all()
 
     def frame(self, shows, what):
-        """The first frame from now on that shows something."""
+        """The first frame from now on that shows something, of the next minute."""
         with self._more:
             place = len(self.frames)
-            while True:
+            last = place + MOST_FRAMES
+            while place < last:
                 while place < len(self.frames):
                     if shows(self.frames[place]):
                         return self.frames[place]
                     place += 1
                 assert self._more.wait(PATIENCE_S), f"no frame: {what}"
+            raise AssertionError(f"no frame of {MOST_FRAMES}: {what}")
 
     def pass_frames(self, number):
         last = self.frames[-1].sequence
