@@ -37,8 +37,8 @@ package Theorems.RAM_Walks with Pure, SPARK_Mode, Ghost is
          (if Steps <= Last_Cell (Parts) - Number then Number + Steps
           else Steps - (Last_Cell (Parts) - Number) - 1);
 
-   --  From any cell the march comes to any other one, in less steps than there
-   --  are cells.
+   --  From any cell the march comes to any other one, in fewer steps than
+   --  there are cells.
 
    function Steps_To
      (Number, Wanted : Cell_Number;

@@ -33,10 +33,9 @@ is
    ROM_Longs_Per_Frame : constant := Memory_Sizes.ROM_Longs_Per_Frame;
 
    --  The address of the ROM's last long.
-   Last_ROM_Place : constant Byte_Address :=
-     Bytes_Per_Long * Byte_Address (Last_ROM_Long);
+   Last_ROM_Place : constant Byte_Address := Byte_Of (Last_ROM_Long);
 
-   --  Where is a multiple of four. An MC68000 would trap an odd address.
+   --  An MC68000 would trap an odd address.
    procedure Read_ROM
      (Board : Board_Number;
       Where : Byte_Address;
@@ -44,7 +43,7 @@ is
    with
      Inline,
      Global => (Input => Cells),
-     Pre    => Where <= Last_ROM_Place;
+     Pre    => Where <= Last_ROM_Place and then Where mod Bytes_Per_Long = 0;
 
    procedure Read_RAM
      (Board : Board_Number;

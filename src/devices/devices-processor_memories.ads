@@ -15,7 +15,7 @@ package Devices.Processor_Memories with SPARK_Mode is
    with
      Inline,
      Global => (Input => Cells),
-     Pre    => Where <= Last_ROM_Place;
+     Pre    => Where <= Last_ROM_Place and then Where mod Bytes_Per_Long = 0;
 
    procedure Read_RAM (Where : Word_Address; Data : out Word)
    with

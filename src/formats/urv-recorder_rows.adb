@@ -20,64 +20,72 @@ package body URV.Recorder_Rows with SPARK_Mode is
       and then Partials = Partials_Up_To (Number, Words, Place))
    with Ghost, Global => null;
 
+   --  The sums of a place, from those of the place before.
+   procedure Unfold
+     (Number : Row_Number; Words : Recorded_Words; Place : Content_Word)
+   with
+     Ghost,
+     Global => null,
+     Post   =>
+       Sum_Up_To (Number, Words, Place) =
+         (if Place = 1 then 0 else Sum_Up_To (Number, Words, Place - 1))
+         + Content_Of (Number, Words, Place)
+       and then
+         Partials_Up_To (Number, Words, Place) =
+           (if Place = 1 then 0 else Partials_Up_To (Number, Words, Place - 1))
+           + Sum_Up_To (Number, Words, Place);
+
+   procedure Unfold
+     (Number : Row_Number; Words : Recorded_Words; Place : Content_Word)
+   is null;
+
    procedure Add (Value : Word; Sum, Partials : in out Word) is
    begin
       Sum := Sum + Value;
       Partials := Partials + Sum;
    end Add;
 
-   --  A loop for each part that a row has: finding a part for each word takes
-   --  longer than adding it.
+   --  A loop for each part of a row: to find the part of each word takes
+   --  longer than to add it.
    function Row_Of (Number : Row_Number; Words : Recorded_Words) return Row is
       Sum      : Word := 0;
       Partials : Word := 0;
    begin
-      for Place in Content_Word range 1 .. 4 loop
-         Sum := Sum + Content_Of (Number, Words, Place);
-         Partials := Partials + Sum;
-         pragma Assert
-           (Partials_Up_To (Number, Words, Place) =
-              (if Place = 1 then 0
-               else Partials_Up_To (Number, Words, Place - 1))
-              + Sum_Up_To (Number, Words, Place));
-         pragma Loop_Invariant (Sum = Sum_Up_To (Number, Words, Place));
+      for Place in Content_Word'First .. Sensor_Word'First - 1 loop
+         Add (Content_Of (Number, Words, Place), Sum, Partials);
+         Unfold (Number, Words, Place);
          pragma Loop_Invariant
-           (Partials = Partials_Up_To (Number, Words, Place));
+           (Are_Sums (Number, Words, Place, Sum, Partials));
       end loop;
-      for Item in Downlink_Item'Val (0) .. Downlink_Item'Val (32 - 5) loop
-         Add (Words.Sensors (Item), Sum, Partials);
+      for Place in Sensor_Word loop
+         Add (Words.Sensors (Item_Of (Place)), Sum, Partials);
+         Unfold (Number, Words, Place);
          pragma Loop_Invariant
-           (Are_Sums
-              (Number, Words, Downlink_Item'Pos (Item) + 5, Sum, Partials));
+           (Are_Sums (Number, Words, Place, Sum, Partials));
       end loop;
-      for Item in Uplink_Item'Val (0) .. Uplink_Item'Val (46 - 33) loop
-         Add (Words.Commands (Item), Sum, Partials);
+      for Place in Command_Word loop
+         Add (Words.Commands (Item_Of (Place)), Sum, Partials);
+         Unfold (Number, Words, Place);
          pragma Loop_Invariant
-           (Are_Sums
-              (Number, Words, Uplink_Item'Pos (Item) + 33, Sum, Partials));
+           (Are_Sums (Number, Words, Place, Sum, Partials));
       end loop;
-      for Item in PWM_Item'Val (0) .. PWM_Item'Val (60 - 47) loop
-         Add (Words.Servos (Item), Sum, Partials);
+      for Place in Servo_Word loop
+         Add (Words.Servos (Item_Of (Place)), Sum, Partials);
+         Unfold (Number, Words, Place);
          pragma Loop_Invariant
-           (Are_Sums
-              (Number, Words, PWM_Item'Pos (Item) + 47, Sum, Partials));
+           (Are_Sums (Number, Words, Place, Sum, Partials));
       end loop;
-      for Item in Law_Place loop
-         Add (Words.Laws (Item), Sum, Partials);
+      for Place in Law_Word loop
+         Add (Words.Laws (Place_Of (Place)), Sum, Partials);
+         Unfold (Number, Words, Place);
          pragma Loop_Invariant
-           (Are_Sums
-              (Number, Words, Content_Word (Item) + 60, Sum, Partials));
+           (Are_Sums (Number, Words, Place, Sum, Partials));
       end loop;
-      for Place in Content_Word range 67 .. 70 loop
-         Sum := Sum + Content_Of (Number, Words, Place);
-         Partials := Partials + Sum;
-         pragma Assert
-           (Partials_Up_To (Number, Words, Place) =
-              Partials_Up_To (Number, Words, Place - 1)
-              + Sum_Up_To (Number, Words, Place));
-         pragma Loop_Invariant (Sum = Sum_Up_To (Number, Words, Place));
+      for Place in Law_Word'Last + 1 .. Content_Word'Last loop
+         Add (Content_Of (Number, Words, Place), Sum, Partials);
+         Unfold (Number, Words, Place);
          pragma Loop_Invariant
-           (Partials = Partials_Up_To (Number, Words, Place));
+           (Are_Sums (Number, Words, Place, Sum, Partials));
       end loop;
       return (Number, Words, Sum, Partials);
    end Row_Of;

@@ -60,26 +60,44 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
 
    subtype Content_Word is Row_Word range 1 .. 70;
 
+   subtype Sensor_Word  is Content_Word range 5 .. 32;
+   subtype Command_Word is Content_Word range 33 .. 46;
+   subtype Servo_Word   is Content_Word range 47 .. 60;
+   subtype Law_Word     is Content_Word range 61 .. 66;
+
+   function Item_Of (Place : Sensor_Word) return Downlink_Item is
+     (Downlink_Item'Val (Place - Sensor_Word'First))
+   with Global => null;
+
+   function Item_Of (Place : Command_Word) return Uplink_Item is
+     (Uplink_Item'Val (Place - Command_Word'First))
+   with Global => null;
+
+   function Item_Of (Place : Servo_Word) return PWM_Item is
+     (PWM_Item'Val (Place - Servo_Word'First))
+   with Global => null;
+
+   function Place_Of (Place : Law_Word) return Law_Place is
+     (Law_Place (Place - Law_Word'First + 1))
+   with Global => null;
+
    function Content_Of
      (Number : Row_Number; Words : Recorded_Words; Place : Content_Word)
       return Word
    is
      (case Place is
-         when 1        => Word (Number / 2 ** 16),
-         when 2        => Word (Number mod 2 ** 16),
-         when 3        => Word (Words.Time / 2 ** 16 mod 2 ** 16),
-         when 4        => Word (Words.Time mod 2 ** 16),
-         when 5 .. 32  =>
-           Words.Sensors (Downlink_Item'Val (Integer (Place) - 5)),
-         when 33 .. 46 =>
-           Words.Commands (Uplink_Item'Val (Integer (Place) - 33)),
-         when 47 .. 60 =>
-           Words.Servos (PWM_Item'Val (Integer (Place) - 47)),
-         when 61 .. 66 => Words.Laws (Law_Place (Place - 60)),
-         when 67       => Words.Cards,
-         when 68       => Words.Errors,
-         when 69       => Words.Kind,
-         when 70       => Words.Starts)
+         when 1            => Word (Number / 2 ** 16),
+         when 2            => Word (Number mod 2 ** 16),
+         when 3            => Word (Words.Time / 2 ** 16 mod 2 ** 16),
+         when 4            => Word (Words.Time mod 2 ** 16),
+         when Sensor_Word  => Words.Sensors (Item_Of (Place)),
+         when Command_Word => Words.Commands (Item_Of (Place)),
+         when Servo_Word   => Words.Servos (Item_Of (Place)),
+         when Law_Word     => Words.Laws (Place_Of (Place)),
+         when 67           => Words.Cards,
+         when 68           => Words.Errors,
+         when 69           => Words.Kind,
+         when 70           => Words.Starts)
    with Global => null;
 
    function Word_At (Item : Row; Place : Row_Word) return Word is

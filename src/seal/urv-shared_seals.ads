@@ -11,8 +11,8 @@ with URV.Sessions;     use URV.Sessions;
 
 package URV.Shared_Seals with SPARK_Mode is
 
-   --  Whole frames between two times; 1 if the clock was set back. A frame
-   --  later, as mostly, needs no division.
+   --  Whole frames between two times; 1 if the clock was set back. The usual
+   --  difference, one frame, needs no division.
    function Frames_Between (Before, Now : Clock_Tick) return Counter is
      (if Now < Before or else Now - Before = Ticks_Per_Major_Frame then 1
       else Counter

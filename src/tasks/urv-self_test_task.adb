@@ -10,17 +10,16 @@ package body URV.Self_Test_Task with SPARK_Mode is
    use Checks;
 
    --  Records the end of a pass: the numbers of passes since the start that
-   --  found the image right and wrong. The node's other error bits stay.
+   --  found the image right and wrong.
    procedure Write_Result (Good_Passes, Bad_Passes : Count);
 
    procedure Write_Result (Good_Passes, Bad_Passes : Count) is
-      Errors_Before : constant Word := Node_Status.Contents;
    begin
       CORE_Memory.Write_Status
         ((ROM_Passes   => To_Word (Good_Passes),
           ROM_Failures => To_Word (Bad_Passes)));
       if Bad_Passes > 0 then
-         Node_Status.Write (Errors_Before or ROM_Differs);
+         Node_Status.Add (ROM_Differs);
       end if;
    end Write_Result;
 
@@ -35,7 +34,7 @@ package body URV.Self_Test_Task with SPARK_Mode is
       Outcome : Outcome_Kind;
    begin
       for Number in 1 .. Longs_Per_Frame loop
-         Read_ROM (Bytes_Per_Long * Byte_Address (State.Position), Data);
+         Read_ROM (Byte_Of (State.Position), Data);
          Take_Long (State, Data, Outcome);
 
          case Outcome is

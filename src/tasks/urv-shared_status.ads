@@ -1,17 +1,26 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The node's own bits of the error/status word in its messages (TST-4): the
---  check of the program memory in flight has found a difference. URV.Buffers
---  defines the bits.
+--  The node's own bits of the error/status word in its messages (TST-4,
+--  TST-5): a memory that is checked in flight has a fault. URV.Buffers defines
+--  the bits.
 
-with URVOS; use URVOS;
-with URVOS.Shared_Data;
+with URVOS;       use URVOS;
 with URV.Buffers; use URV.Buffers;
 
 package URV.Shared_Status with SPARK_Mode is
 
-   package Words is new URVOS.Shared_Data (Word, Initial => No_Error);
+   protected type Status is
 
-   subtype Status is Words.Store;
+      --  Replaces all bits.
+      procedure Write (Bits : Word);
+
+      --  Sets these bits. The others stay.
+      procedure Add (Bits : Word);
+
+      function Contents return Word;
+
+   private
+      Item : Word := No_Error;
+   end Status;
 
 end URV.Shared_Status;

@@ -10,11 +10,11 @@ with URVOS.RAM_Tests;
 
 package body Power_Up_Tests is
 
-   --  GNATprove shows that no check of the test fails, and they would cost as
-   --  much as the accesses.
+   --  Checks would cost as much as the accesses. GNATprove shows that none
+   --  fails in Byte_RAM_Tests, the same instance over constant addresses.
    pragma Suppress (All_Checks);
 
-   --  Of all memories of the machines.
+   --  Both machines have their RAM at such addresses.
    type Byte_Address is range 0 .. 2 ** 30;
 
    --  The proof's model is another instance.

@@ -94,8 +94,7 @@ package body Node_Programs is
    begin
       CORE_Memory.Write_Status
         ((URV.CORE_Memory.Self_Test_Result => Result));
-      Node_Status.Write
-        (Node_Status.Contents or URV.Buffers.Self_Test_Failed);
+      Node_Status.Add (URV.Buffers.Self_Test_Failed);
       Errors.Report (URV.Errors.Self_Test_Failed, Result);
    end Report_RAM;
 

@@ -30,7 +30,7 @@ package body STM32_ADC.Registers with SPARK_Mode => Off is
    begin
       Simulated_Line.Begin_Access (Events);
       if Events > 0 and then Present.Converting then
-         --  Of two values the one or the other is lost.
+         --  One of the two values is lost.
          Keeps_Old := Present.Converted and then Events mod 2 = 0;
          if Present.Converted then
             Present.Losses := Present.Losses + 1;

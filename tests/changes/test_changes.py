@@ -293,7 +293,8 @@ def test_no_other_task_writes_what_a_new_one_writes(task):
     """Each variable has one producer (EVI-12). Two tasks write bits for the
     downlink, each a variable of its own, and both arrive."""
     writers = [path.name for path in sorted((task.copy / "src/tasks").iterdir())
-               if "Node_Status.Write" in path.read_text(encoding="utf-8")]
+               if re.search(r"Node_Status\.(Write|Add)\b",
+                            path.read_text(encoding="utf-8"))]
     assert writers == ["urv-battery_task.adb", "urv-self_test_task.adb"]
     node = (task.copy / "src/nodes/mcs.ads").read_text(encoding="utf-8")
     assert re.search(r"Node_Status +=> Checked,", node)

@@ -2,6 +2,7 @@
 """Checks that are the same on each bare machine (BRD-1 to BRD-3)."""
 
 import shutil
+import subprocess
 from pathlib import Path
 
 import emulated
@@ -29,6 +30,16 @@ def needs(machine, *files):
         bool(missing), reason=f"not installed: {', '.join(missing)}")
 
 
+def stack_size(machine, name):
+    """The bytes that image.ld leaves for the stack."""
+    symbols = subprocess.run(
+        [f"{machine.prefix}nm", machine.images / f"{name}.elf"],
+        check=True, capture_output=True, text=True).stdout
+    place = {line.split()[2]: int(line.split()[0], 16)
+             for line in symbols.splitlines() if len(line.split()) == 3}
+    return place["urv_stack_top"] - place["urv_stack_bottom"]
+
+
 def flies_like_the_simulation(machine, folder, laws):
     rows, runs = machine.fly_both(folder, SECONDS, laws)
     frames = SECONDS * emulated.FRAMES_PER_S
@@ -37,8 +48,10 @@ def flies_like_the_simulation(machine, folder, laws):
     # They differ from frame to frame, or this would not show much.
     servos = runs["mcs"].rows
     assert len({tuple(runs["mcs"].pwm(frame)) for frame in servos}) > frames / 4
-    for node in runs.values():
+    for name, node in runs.items():
         assert sorted(node.rows)[:frames - 1] == list(range(frames - 1))
+        # A stack that overflows spoils variables: a fifth of it stays unused.
+        assert node.numbers["stack"] < 0.8 * stack_size(machine, name)
         assert node.numbers["overruns"] == 0
         assert node.numbers.get("lost_times", 0) == 0
         assert node.numbers["received"] >= frames - 4

@@ -18,6 +18,7 @@ package body Console_Watch_Tests is
    procedure On_The_Ground;
    procedure Slow_And_Low;
    procedure Not_Known;
+   procedure Every_Other_Downlink;
    procedure Cleared_CORE;
 
    procedure Expect_Input is new Expect_Value (Converter_Input);
@@ -99,6 +100,16 @@ package body Console_Watch_Tests is
       Expect_Input ("the link is lost", Item.Input, Held);
    end Not_Known;
 
+   procedure Every_Other_Downlink is
+      Item : Watch;
+   begin
+      for Pair in 1 .. 5 * Good_Scans loop
+         Item := Next (Item, Frame_Count'Last, Standing);
+         Item := Next (Item, Frame_Count'Last, No_Downlink);
+         Expect_Input ("not believed", Item.Input, Held);
+      end loop;
+   end Every_Other_Downlink;
+
    procedure Cleared_CORE is
    begin
       Expect
@@ -120,6 +131,8 @@ package body Console_Watch_Tests is
            Slow_And_Low'Access);
       Add (Suite, "SAF-10 whatever is not known is flight",
            Not_Known'Access);
+      Add (Suite, "SAF-10 with every other downlink the place is not known",
+           Every_Other_Downlink'Access);
       Add (Suite, "SAF-10 a CORE memory that is cleared says nothing",
            Cleared_CORE'Access);
    end Add_To;

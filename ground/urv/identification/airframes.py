@@ -50,10 +50,9 @@ class Airframe:
     axis: str
     coefficients: tuple[str, ...]
     variables: tuple[str, ...]
+    """The last one is the airspeed, as a share of its mean: thrust and torque do
+    not grow with the dynamic pressure."""
     surfaces: tuple[str, ...]
-    by_speed: bool
-    """The airspeed, as a share of its mean, is a variable too: thrust does not
-    grow with the dynamic pressure."""
     kinematic: tuple[str, ...]
     """Measured signals that the equations of motion take."""
     turning: tuple[int, ...]
@@ -130,8 +129,7 @@ class Airframe:
             [calibrated / numpy.sqrt(ratio),
              0.5 * measurements.SEA_LEVEL_DENSITY * calibrated ** 2],
             segment.splines(*self.surfaces)(times + delay),
-            [calibrated / (segment["airspeed"].mean() - error) - 1.0]
-            if self.by_speed else numpy.empty((0, len(times)))])
+            [calibrated / (segment["airspeed"].mean() - error) - 1.0]])
 
     def coefficient(self, name, regressors, values):
         """The sum of a coefficient's parts."""
@@ -190,7 +188,6 @@ class Longitudinal(Airframe):
     coefficients = ("CZ", "Cm")
     variables = ("alpha", "q", "elevator", "speed")
     surfaces = ("elevator",)
-    by_speed = True
     kinematic = ("p", "r", "phi", "beta", "ax")
     sizes_of = {"CZ": 0.1, "Cm": 0.03, "alpha": 2.0 * DEG, "q": 0.002,
                 "elevator": 2.0 * DEG, "speed": 0.5}
@@ -265,7 +262,6 @@ class Lateral(Airframe):
     coefficients = ("CY", "Cl", "Cn")
     variables = ("beta", "p", "r", "aileron", "rudder", "speed")
     surfaces = ("aileron", "rudder")
-    by_speed = True
     kinematic = ("q", "alpha", "theta", "ax", "az")
     sizes_of = {"CY": 0.03, "Cl": 0.01, "Cn": 0.005, "beta": 3.0 * DEG,
                 "p": 0.02, "r": 0.01, "aileron": 3.0 * DEG,

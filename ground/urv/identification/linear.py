@@ -75,8 +75,7 @@ def linear(airframe, derivatives, middle, ratio) -> dict:
     states = numpy.array([at.get(name, 0.0) for name in airframe.states])
     signals = [at.get(name, 0.0) for name in airframe.kinematic]
     inputs = numpy.array([*signals, speed, pressure,
-                          *(0.0 for _ in airframe.surfaces),
-                          *(0.0 for _ in range(airframe.by_speed))])
+                          *(0.0 for _ in airframe.surfaces), 0.0])
     if airframe.axis == "longitudinal":
         # Level flight: the weight is carried, and no moment is left.
         values[airframe.place["CZ_0"]] = (

@@ -24,6 +24,14 @@ package URVOS.Memories with Pure, SPARK_Mode is
 
    Bytes_Per_Long : constant := 4;
 
+   --  The address of a long's first byte.
+   function Byte_Of (Where : Long_Address) return Byte_Address is
+     (Bytes_Per_Long * Byte_Address (Where))
+   with
+     Inline,
+     Global => null,
+     Post   => Byte_Of'Result mod Bytes_Per_Long = 0;
+
    --  A whole image. Contracts and tests use it; the flight software reads
    --  long by long.
    type Image is array (Long_Address range <>) of Long;

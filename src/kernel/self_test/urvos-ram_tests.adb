@@ -108,6 +108,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
       loop
          Write (Here, Data);
          pragma Loop_Invariant (Here in First .. Last);
+         pragma Loop_Invariant ((Here - First) mod Step = 0);
          pragma Loop_Invariant
            (if Is_Model
             then (for all Place in First .. Here =>
@@ -143,6 +144,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
             return;
          end if;
          pragma Loop_Invariant (Here in First .. Last);
+         pragma Loop_Invariant ((Here - First) mod Wide_Step = 0);
          pragma Loop_Variant (Increases => Here);
          exit when Here > Last - Wide_Step;
          Here := Here + Wide_Step;
@@ -168,6 +170,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
          end if;
          Write (Here, Fresh);
          pragma Loop_Invariant (Here in First .. Last);
+         pragma Loop_Invariant ((Last - Here) mod Step = 0);
          pragma Loop_Invariant
            (if Is_Model
             then (for all Place in First .. Last =>
@@ -197,6 +200,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
          end if;
          Write (Here, Fresh);
          pragma Loop_Invariant (Here in First .. Last);
+         pragma Loop_Invariant ((Here - First) mod Step = 0);
          pragma Loop_Invariant
            (if Is_Model
             then (for all Place in First .. Last =>
@@ -233,6 +237,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
          end if;
          Write (Here, Old);
          pragma Loop_Invariant (Here in First .. Last);
+         pragma Loop_Invariant ((Here - First) mod Step = 0);
          pragma Loop_Invariant
            (if Is_Model
             then (for all Place in First .. Last =>
@@ -261,6 +266,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
             return;
          end if;
          pragma Loop_Invariant (Here in First .. Last);
+         pragma Loop_Invariant ((Here - First) mod Step = 0);
          pragma Loop_Invariant
            (if Is_Model
             then (for all Place in First .. Last =>

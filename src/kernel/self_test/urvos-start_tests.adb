@@ -24,15 +24,16 @@ package body URVOS.Start_Tests with SPARK_Mode is
    with Pre => (Last_Long + 1) mod 4 = 0;
 
    procedure Test_ROM (Good : out Boolean) is
-      Last  : constant Byte_Address :=
-        Bytes_Per_Long * Byte_Address (Last_Long - 3);
+      Last  : constant Byte_Address := Byte_Of (Last_Long - 3);
       Where : Byte_Address := 0;
       Sums  : Sum          := First_Value;
 
       procedure Add (Where : Byte_Address)
       with
         Inline,
-        Pre => Where <= Bytes_Per_Long * Byte_Address (Last_Long);
+        Pre =>
+          Where <= Byte_Of (Last_Long)
+          and then Where mod Bytes_Per_Long = 0;
 
       procedure Add (Where : Byte_Address) is
          Data : Long;
@@ -43,7 +44,8 @@ package body URVOS.Start_Tests with SPARK_Mode is
 
    begin
       loop
-         pragma Loop_Invariant (Where <= Last);
+         pragma Loop_Invariant
+           (Where <= Last and then Where mod (4 * Bytes_Per_Long) = 0);
          pragma Loop_Variant (Increases => Where);
          Add (Where);
          Add (Where + Bytes_Per_Long);

@@ -16,8 +16,8 @@ with URVOS.Self_Tests; use URVOS.Self_Tests;
 with URVOS.Starts;     use URVOS.Starts;
 
 generic
-   --  The last long of the image, which has a multiple of four, and the last
-   --  word of the RAM.
+   --  The last long of the image, whose number of longs is a multiple of four,
+   --  and the last word of the RAM.
    Last_Long : Long_Address;
    Last_Word : Word_Address;
 

@@ -74,8 +74,8 @@ is
           then Follows (State, (State'Old with delta More => Value))
           else Is_Stopped (State, State'Old));
 
-   --  Sampling time and sequence change only while nothing is converted: a
-   --  write else begins the conversion again.
+   --  Sampling time and sequence change only while nothing is converted: at
+   --  other times a write begins the conversion again.
 
    procedure Write_Sampling (Value : Sampling_Time)
    with
