@@ -185,8 +185,9 @@ def aircraft_file(ballast=None, airframe=OWN):
         **{name: round(value, 5) for name, value in mass.items()},
         # JSBSim computes the accelerometers' readings before the forces of a
         # step: they are those of the step before. It integrates attitudes by
-        # Euler's method, half a step late.
-        "delays_ms": {"attitude": STEP_MS / 2.0, "accelerations": STEP_MS},
+        # Euler's method, half a step late, and rates so that moments are.
+        "delays_ms": {"attitude": STEP_MS / 2.0, "accelerations": STEP_MS,
+                      "moments": STEP_MS / 2.0},
         "derivatives": {name: round(value, 5) + 0.0
                         for name, value in derivatives.items()}}
 

@@ -549,7 +549,7 @@ def test_gnd61_a_mass_that_is_no_positive_number_is_refused(tmp_path, value):
     ("mass_slug", 1e-300, "mass_slug is from 1e-06 to 1e+09"),
     ("ixz_slug_ft2", -1e200, "ixz_slug_ft2 is from -1e+09 to 1e+09"),
     ("delays_ms", {"rates": -1}, "delays_ms are numbers from 0 to 500 of"),
-    ("delays_ms", {"moments": 2}, "of attitude, rates, accelerations"),
+    ("delays_ms", {"forces": 2}, "of attitude, rates, accelerations"),
     ("delays_ms", [4], "delays_ms are numbers"),
     ("aircraft", "\ud800", "aircraft is a name of at most 60"),
     ("aircraft", ["lambda"], "aircraft is a name of at most 60")])

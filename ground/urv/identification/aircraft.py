@@ -24,8 +24,9 @@ LEAST, MOST = 1e-6, 1e9
 
 LONGEST_NAME = 60
 
-DELAYED = ("attitude", "rates", "accelerations", "airflow")
-"""Groups of sensors with a delay of their own: measurements.GROUPS."""
+DELAYED = ("attitude", "rates", "accelerations", "airflow", "moments")
+"""Groups of sensors with a delay of their own, measurements.GROUPS; and the moments of
+a simulation that integrates by steps."""
 MOST_DELAY_MS = 500.0
 
 POSITIVE = ("mass_slug", "ixx_slug_ft2", "iyy_slug_ft2", "izz_slug_ft2",
@@ -50,7 +51,7 @@ class Aircraft:
     prior: dict[str, float] = field(default_factory=dict)
     """Derivatives for comparison, per rad."""
     delays: dict[str, float] = field(default_factory=dict)
-    """Known delays of groups of sensors, s: DELAYED."""
+    """Known delays, s: DELAYED."""
 
 
 def read(path: Path = DEFAULT) -> Aircraft:

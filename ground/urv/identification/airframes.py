@@ -27,8 +27,8 @@ from urv.identification.output_error import (
 DEG = numpy.radians(1.0)
 
 TIMING_S = 0.002
-"""Standard deviation with which the delays, none, of surfaces, of alpha and
-beta, of accelerations, and of the moments after their causes are known. Flight
+"""Standard deviation with which the delays of surfaces, of alpha and beta and of
+accelerations, all none, and of the moments after their causes are known. Flight
 data cannot separate them well from what a model lacks."""
 
 SPIN = "propellers' spin"
@@ -107,6 +107,8 @@ class Airframe:
         name, _, kind = parameter.name.partition(" ")
         if kind == "error":
             return 0.0, max(self.deviations[name][record], LEAST_ERROR[name])
+        if parameter.name == "moments' delay":
+            return self.aircraft.delays.get("moments", 0.0), TIMING_S
         return parameter.prior
 
     def measured(self, segment: Segment):

@@ -179,7 +179,7 @@ def smooth_airspeed(part: Segment) -> Segment:
 def without_delays(part: Segment, known: dict[str, float]) -> Segment:
     """The segment without the known delays of groups of sensors."""
     return shifted(part, {name: delay for group, delay in known.items()
-                          for name in GROUPS[group]})
+                          for name in GROUPS.get(group, ())})
 
 
 def shifted(part: Segment, delays: dict[str, float]) -> Segment:
