@@ -81,11 +81,13 @@ package body URV.Sensor_Checks with SPARK_Mode is
 
    procedure Take_Gap (This : in out Check) is
    begin
-      This.Is_Valid := This.Is_Valid and then This.Bad < Bad_Scans - 1;
-      if This.Bad < Bad_Scans then
+      if This.Bad >= Bad_Scans - 1 then
+         This.Is_Valid := False;
+         This.Bad := Bad_Scans;
+         This.Good := 0;
+      else
          This.Bad := This.Bad + 1;
       end if;
-      This.Good := 0;
    end Take_Gap;
 
    procedure Take_Word

@@ -9,8 +9,10 @@
 --
 --  A sensor becomes invalid after 0.06 s of bad scans in a row, which is three
 --  in frames of 20 ms, or when it is stuck. It is valid again after one second
---  of good scans. A missing scan is a bad scan of every sensor. Until the
---  sensor is invalid, its last good word replaces bad ones.
+--  of good scans. A missing scan is a bad scan of every sensor, but one or two
+--  in a row do not begin that second again: a link may lose every other
+--  downlink. Until the sensor is invalid, its last good word replaces bad
+--  ones.
 
 with URVOS;         use URVOS;
 with URV.Buffers;   use URV.Buffers;
@@ -45,9 +47,10 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
    subtype Good_Count is Natural range 0 .. Good_Scans;
    subtype Stuck_Count is Natural range 0 .. Stuck_Scans;
 
-   --  The state of a sensor: its last good word; the numbers of bad and of
-   --  good scans in a row; the word at which it last moved, its witness's word
-   --  then, and the stuck scans since.
+   --  The state of a sensor: its last good word; the number of bad scans in a
+   --  row; the number of good scans since the last bad word or the last
+   --  Bad_Scans missing scans in a row; the word at which it last moved, its
+   --  witness's word then, and the stuck scans since.
    type Check is record
       Is_Seen    : Boolean         := False;
       Is_Valid   : Boolean         := False;
@@ -134,7 +137,7 @@ package URV.Sensor_Checks with Pure, SPARK_Mode is
      ((This with delta
         Bad      => (if This.Bad = Bad_Scans then Bad_Scans
                      else This.Bad + 1),
-        Good     => 0,
+        Good     => (if This.Bad >= Bad_Scans - 1 then 0 else This.Good),
         Is_Valid => This.Is_Valid and then This.Bad < Bad_Scans - 1))
    with Global => null;
 

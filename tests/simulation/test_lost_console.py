@@ -85,6 +85,18 @@ def test_saf10_on_the_ground_the_safe_words_go_up(bench, laws):
             for row in within(flight.rows, 5_200, 6_000)} == {(0, 0xFFF)}
 
 
+def test_saf10_every_other_downlink_is_enough_to_know_the_place(bench):
+    """On a line this slow every other downlink is left out."""
+    flight = bench("4000 gsc console 2500", ON_GROUND, "--line-delay", "1.1")
+    stale = [row["gsc.downlink.error"] & 1
+             for row in within(flight.rows, 1_000, 4_000)]
+    assert 0.4 < sum(stale) / len(stale) < 0.6
+    safe = within(fresh(flight), 6_100, 6_400)
+    assert len(safe) >= 7
+    assert {tuple(row[f"mcs.uplink.{name}"] for name in COMMANDS)
+            for row in safe} == {SAFE_COMMANDS}
+
+
 @pytest.mark.parametrize("sensors", [
     "time_ms,airspeed,altitude\n0,0,100\n",
     "time_ms,airspeed,altitude\n0,1344,0\n"])
