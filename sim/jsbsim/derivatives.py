@@ -33,6 +33,8 @@ from airframes import AIRFRAMES, Airframe
 TIMES = plant.Times(tick=2000, frame=10, scan=8, shown=10)
 
 STEP_MS = TIMES.step * TIMES.tick / 1e3
+DELAYS_DEVIATION_MS = 0.5
+"""Of delays by steps: they are those of straight lines."""
 
 # Steps until servos have reached their commands: 4 s.
 SERVO_STEPS = 1000
@@ -183,11 +185,15 @@ def aircraft_file(ballast=None, airframe=OWN):
         "gravity_ft_s2": round(G_FT_S2 * math.hypot(
             state["accelerations/Nx"], state["accelerations/Nz"]), 3),
         **{name: round(value, 5) for name, value in mass.items()},
-        # JSBSim computes the accelerometers' readings before the forces of a
-        # step: they are those of the step before. It integrates attitudes by
-        # Euler's method, half a step late, and rates so that moments are.
-        "delays_ms": {"attitude": STEP_MS / 2.0, "accelerations": STEP_MS,
-                      "moments": STEP_MS / 2.0},
+        # JSBSim integrates attitudes and rates by Euler's method, which is half a
+        # step late: attitudes and airflow, which contain the attitude, are late
+        # beside the rates, and so are the moments. They have the airflow that
+        # the sensors show. Accelerometers show the forces of the step before.
+        "delays_ms": {
+            "attitude": STEP_MS / 2.0, "airflow": STEP_MS / 2.0,
+            "accelerations": STEP_MS * 1.5, "moments": STEP_MS / 2.0,
+            "moments_by_airflow": STEP_MS},
+        "delays_deviation_ms": DELAYS_DEVIATION_MS,
         "derivatives": {name: round(value, 5) + 0.0
                         for name, value in derivatives.items()}}
 

@@ -24,10 +24,14 @@ LEAST, MOST = 1e-6, 1e9
 
 LONGEST_NAME = 60
 
-DELAYED = ("attitude", "rates", "accelerations", "airflow", "moments")
+MOMENTS, MOMENTS_BY_AIRFLOW = "moments", "moments_by_airflow"
+DELAYED = ("attitude", "rates", "accelerations", "airflow",
+           MOMENTS, MOMENTS_BY_AIRFLOW)
 """Groups of sensors with a delay of their own, measurements.GROUPS; and the moments of
-a simulation that integrates by steps."""
+a simulation that integrates by steps, after rates and surfaces and after the airflow."""
 MOST_DELAY_MS = 500.0
+DEVIATION_MS = 2.0
+LEAST_DEVIATION_MS = 0.01
 
 POSITIVE = ("mass_slug", "ixx_slug_ft2", "iyy_slug_ft2", "izz_slug_ft2",
             "wing_area_ft2", "span_ft", "chord_ft")
@@ -52,6 +56,8 @@ class Aircraft:
     """Derivatives for comparison, per rad."""
     delays: dict[str, float] = field(default_factory=dict)
     """Known delays, s: DELAYED."""
+    delays_deviation: float = DEVIATION_MS / 1e3
+    """How well each delay is known: a standard deviation, s."""
 
 
 def read(path: Path = DEFAULT) -> Aircraft:
@@ -98,13 +104,20 @@ def read(path: Path = DEFAULT) -> Aircraft:
         raise faults.Refused(
             f"{where}: delays_ms are numbers from 0 to {MOST_DELAY_MS:g} of"
             f" {', '.join(DELAYED)}")
+    deviation = given.get("delays_deviation_ms", DEVIATION_MS)
+    if not _is_number(deviation) or not (
+            LEAST_DEVIATION_MS <= deviation <= MOST_DELAY_MS):
+        raise faults.Refused(
+            f"{where}: delays_deviation_ms is from {LEAST_DEVIATION_MS:g} to"
+            f" {MOST_DELAY_MS:g}")
     return Aircraft(
         name,
         given["mass_slug"], given["ixx_slug_ft2"], given["iyy_slug_ft2"],
         given["izz_slug_ft2"], given["ixz_slug_ft2"], given["wing_area_ft2"],
         given["span_ft"], given["chord_ft"], gravity,
         {name: float(value) for name, value in prior.items()},
-        {each: value / 1e3 for each, value in delays.items()})
+        {each: value / 1e3 for each, value in delays.items()},
+        deviation / 1e3)
 
 
 def _is_number(value) -> bool:

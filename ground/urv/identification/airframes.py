@@ -15,7 +15,11 @@ from __future__ import annotations
 import numpy
 
 from urv.identification import manoeuvres, measurements
-from urv.identification.aircraft import Aircraft
+from urv.identification.aircraft import (
+    MOMENTS,
+    MOMENTS_BY_AIRFLOW,
+    Aircraft,
+)
 from urv.identification.measurements import GRAVITY, Segment
 from urv.identification.output_error import (
     ALL,
@@ -25,11 +29,6 @@ from urv.identification.output_error import (
 )
 
 DEG = numpy.radians(1.0)
-
-TIMING_S = 0.002
-"""Standard deviation with which the delays of surfaces, of alpha and beta and of
-accelerations, all none, and of the moments after their causes are known. Flight
-data cannot separate them well from what a model lacks."""
 
 SPIN = "propellers' spin"
 SPIN_PER_S = 0.5
@@ -67,6 +66,11 @@ class Airframe:
         "alpha", for each record."""
         self.aircraft = aircraft
         self.deviations = deviations
+        self.moments_delay = aircraft.delays.get(MOMENTS, 0.0)
+        self.airflow_more = aircraft.delays.get(
+            MOMENTS_BY_AIRFLOW, self.moments_delay) - self.moments_delay
+        # Flight data cannot separate delays well from what a model lacks.
+        none = 0.0, aircraft.delays_deviation
         self.parameters = (
             *(Parameter(f"{name}_{variable}", ALL, 0.0,
                         0.01 * self.sizes_of[name]
@@ -79,13 +83,14 @@ class Airframe:
             Parameter("airspeed error", RECORD, 0.0, 0.5, is_input=True,
                       is_considered=True),
             Parameter("surfaces' delay", RECORD, 0.0, 0.002, is_input=True,
-                      prior=(0.0, TIMING_S), is_considered=True),
+                      prior=none, is_considered=True),
             Parameter("moments' delay", RECORD, 0.0, 0.002, is_input=True,
-                      prior=(0.0, TIMING_S), is_considered=True),
+                      prior=(self.moments_delay, aircraft.delays_deviation),
+                      is_considered=True),
             Parameter("airflow's delay", RECORD, 0.0, 0.002,
-                      prior=(0.0, TIMING_S), is_considered=True),
+                      prior=none, is_considered=True),
             Parameter("accelerations' delay", RECORD, 0.0, 0.002,
-                      prior=(0.0, TIMING_S), is_considered=True))
+                      prior=none, is_considered=True))
         self.place = {each.name: number
                       for number, each in enumerate(self.parameters)}
         self.terms = {
@@ -107,8 +112,6 @@ class Airframe:
         name, _, kind = parameter.name.partition(" ")
         if kind == "error":
             return 0.0, max(self.deviations[name][record], LEAST_ERROR[name])
-        if parameter.name == "moments' delay":
-            return self.aircraft.delays.get("moments", 0.0), TIMING_S
         return parameter.prior
 
     def measured(self, segment: Segment):
@@ -147,11 +150,14 @@ class Airframe:
         # The same values come for each time of an integration.
         known, late = self.late_columns
         if known is not values:
-            late = numpy.flatnonzero(abs(delay) > LEAST_DELAY_S)
+            late = numpy.flatnonzero(
+                abs(delay) + abs(self.airflow_more) > LEAST_DELAY_S)
             self.late_columns = values, late
         if len(late):
+            delays = numpy.tile(delay[late], (len(self.states), 1))
+            delays[0] += self.airflow_more
             before = self.motion(
-                states[:, late] - delay[late] * found[:, late],
+                states[:, late] - delays * found[:, late],
                 inputs[:, late], values[:, late])
             for row in self.turning:
                 found[row, late] = before[row]
@@ -172,6 +178,13 @@ class Airframe:
             return self.forces(states, inputs, values)[0]
         before = states - delay * self.motion(states, inputs, values)
         return self.forces(before, inputs, values)[0]
+
+    def as_moments_see(self, segment: Segment):
+        """The segment with the causes of moments as late as they act."""
+        turning = (self.states[row] for row in self.turning)
+        return measurements.shifted(segment, {
+            self.states[0]: -self.moments_delay - self.airflow_more,
+            **dict.fromkeys((*turning, *self.surfaces), -self.moments_delay)})
 
     def pressure_and_speed(self, segment: Segment):
         calibrated = segment["airspeed"]
@@ -233,24 +246,30 @@ class Longitudinal(Airframe):
                             theta,
                             force + values[self.place["error of az"]]])
 
+    def regressors(self, segment: Segment, smooth):
+        _, speed = self.pressure_and_speed(segment)
+        return numpy.array([
+            smooth(segment["alpha"]),
+            smooth(segment["q"]) * self.aircraft.chord / (2.0 * speed),
+            smooth(segment["elevator"]),
+            smooth(segment["airspeed"]) / segment["airspeed"].mean() - 1.0])
+
     def equations(self, segment: Segment, smooth, slope):
-        """Left sides by coefficient, the regressors of all, and that of the
-        propellers' spin by coefficient."""
+        """By coefficient: left sides, regressors, and that of the propellers'
+        spin."""
         own = self.aircraft
-        pressure, speed = self.pressure_and_speed(segment)
-        p, q, r = (smooth(segment[name]) for name in "pqr")
+        pressure, _ = self.pressure_and_speed(segment)
+        p, r = (smooth(segment[name]) for name in "pr")
         area = pressure * own.wing_area
         return {
             "CZ": own.mass * smooth(segment["az"]) / area,
             "Cm": (own.iyy * slope(segment["q"])
                    - (own.izz - own.ixx) * p * r
                    - own.ixz * (r * r - p * p)) / (area * own.chord),
-        }, numpy.array([smooth(segment["alpha"]),
-                        q * own.chord / (2.0 * speed),
-                        smooth(segment["elevator"]),
-                        smooth(segment["airspeed"])
-                        / segment["airspeed"].mean() - 1.0]), {
-            "Cm": -own.iyy * r / (area * own.chord)}
+        }, {
+            "CZ": self.regressors(segment, smooth),
+            "Cm": self.regressors(self.as_moments_see(segment), smooth),
+        }, {"Cm": -own.iyy * r / (area * own.chord)}
 
 
 class Lateral(Airframe):
@@ -326,27 +345,33 @@ class Lateral(Airframe):
             beta, p + values[self.place["error of p"]],
             r + values[self.place["error of r"]], phi, force])
 
+    def regressors(self, segment: Segment, smooth):
+        _, speed = self.pressure_and_speed(segment)
+        per = self.aircraft.span / (2.0 * speed)
+        return numpy.array([
+            smooth(segment["beta"]),
+            *(smooth(segment[name]) * per for name in "pr"),
+            *(smooth(segment[name]) for name in self.surfaces),
+            smooth(segment["airspeed"]) / segment["airspeed"].mean() - 1.0])
+
     def equations(self, segment: Segment, smooth, slope):
-        """Left sides by coefficient, the regressors of all, and that of the
-        propellers' spin by coefficient."""
+        """By coefficient: left sides, regressors, and that of the propellers'
+        spin."""
         own = self.aircraft
-        pressure, speed = self.pressure_and_speed(segment)
+        pressure, _ = self.pressure_and_speed(segment)
         p, q, r = (smooth(segment[name]) for name in "pqr")
         dp, dr = slope(segment["p"]), slope(segment["r"])
         area = pressure * own.wing_area
-        per = own.span / (2.0 * speed)
+        late = self.regressors(self.as_moments_see(segment), smooth)
         return {
             "CY": own.mass * smooth(segment["ay"]) / area,
             "Cl": (own.ixx * dp - own.ixz * (dr + p * q)
                    - (own.iyy - own.izz) * q * r) / (area * own.span),
             "Cn": (own.izz * dr - own.ixz * (dp - q * r)
                    - (own.ixx - own.iyy) * p * q) / (area * own.span),
-        }, numpy.array([smooth(segment["beta"]), p * per, r * per,
-                        smooth(segment["aileron"]),
-                        smooth(segment["rudder"]),
-                        smooth(segment["airspeed"])
-                        / segment["airspeed"].mean() - 1.0]), {
-            "Cn": own.iyy * q / (area * own.span)}
+        }, {
+            "CY": self.regressors(segment, smooth), "Cl": late, "Cn": late,
+        }, {"Cn": own.iyy * q / (area * own.span)}
 
 
 AXES = (Longitudinal, Lateral)

@@ -46,7 +46,7 @@ def regress(airframe, segments) -> Regression:
     """Derivatives of all coefficients from all segments."""
     lefts = {name: [] for name in airframe.coefficients}
     spins = {name: [] for name in airframe.coefficients}
-    tables = []
+    tables = {name: [] for name in airframe.coefficients}
     for part in segments:
         left, table, spin = airframe.equations(
             part,
@@ -57,10 +57,11 @@ def regress(airframe, segments) -> Regression:
             lefts[name].append(values)
             spins[name].append([spin[name]] if name in spin
                                else numpy.empty((0, len(values))))
-        tables.append(table)
+            tables[name].append(table[name])
+    # The regressors of all coefficients differ in time only.
     centred = numpy.concatenate(
-        [table - table.mean(axis=1, keepdims=True) for table in tables],
-        axis=1)
+        [table - table.mean(axis=1, keepdims=True)
+         for table in tables[airframe.coefficients[0]]], axis=1)
     moved = centred.std(axis=1)
     missing = {
         variable: "nothing moved it"
@@ -79,14 +80,14 @@ def regress(airframe, segments) -> Regression:
             numpy.concatenate([
                 table[used],
                 [numpy.full(table.shape[1], float(number == other))
-                 for other in range(len(tables))],
+                 for other in range(len(segments))],
                 spins[name][number]])
-            for number, table in enumerate(tables)], axis=1).T
+            for number, table in enumerate(tables[name])], axis=1).T
         left = numpy.concatenate(lefts[name])
         answer, *_ = linalg.lstsq(matrix, left)
         residual = left - matrix @ answer
         noise = max(residual.std(), 1e-12)
-        cuts = numpy.cumsum([table.shape[1] for table in tables])[:-1]
+        cuts = numpy.cumsum([len(each.times) for each in segments])[:-1]
         covariance, *_ = bounds.covariances(
             [each[None] / noise for each in numpy.split(matrix, cuts)],
             [each[None] / noise for each in numpy.split(residual, cuts)])
@@ -94,7 +95,7 @@ def regress(airframe, segments) -> Regression:
             key = f"{name}_{airframe.variables[index]}"
             values[key] = answer[place]
             deviations[key] = numpy.sqrt(covariance[place, place])
-        constants[name] = list(answer[len(used):len(used) + len(tables)])
+        constants[name] = list(answer[len(used):len(used) + len(segments)])
     return Regression(values, deviations, constants, missing, inflation)
 
 
