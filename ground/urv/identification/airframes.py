@@ -291,9 +291,8 @@ class Lateral(Airframe):
                         prior=(0.0, 2.0 * DEG)),
               Parameter("error of r", RECORD, 0.0, 0.1 * DEG,
                         prior=(0.0, 2.0 * DEG)),
-              # Alpha tilts the axis of the roll rate.
-              Parameter("alpha error", RECORD, 0.0, 0.1 * DEG, is_input=True,
-                        is_considered=True))
+              # Alpha tilts the axis of the roll rate: rolls show its error.
+              Parameter("alpha error", RECORD, 0.0, 0.1 * DEG, is_input=True))
 
     def inputs(self, segment, times, values):
         found = super().inputs(segment, times, values)
