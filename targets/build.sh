@@ -99,10 +99,12 @@ done
 optimise="-O2 -gnatn -fcallgraph-info=su -ffunction-sections -fdata-sections"
 optimise="$optimise -fno-tree-loop-distribute-patterns"
 optimise="$optimise -fno-delete-null-pointer-checks"
+march="-fno-ipa-cp -funroll-loops --param max-unroll-times=4"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatw.V -gnatwe -gnatyg -gnatyM79 -g"
 
 # Both nodes share the objects, which are made again with other switches.
-stamp="$stamp $language $listing $optimise $fast schedulers boards laws"
+stamp="$stamp $language $listing $optimise $fast $march
+schedulers boards laws"
 if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
    rm -rf objects
    mkdir objects
@@ -113,7 +115,8 @@ cd objects
 # each channel, and the scheduler's loops several times at each tick: they are
 # built for speed, and so are loops over surfaces and recorded words. These are
 # names, not paths: a machine may have a body of its own.
-for each in telemetry-boards telemetry-receivers telemetry-shared_boards \
+for each in telemetry-boards telemetry-receivers \
+   telemetry-shared_boards \
    urvos-schedulers urvos-schedulers-calls urv-ad_boards urv-law_steps \
    urv-recorder_rows
 do
@@ -122,6 +125,12 @@ do
       --RTS=../runtime $include "$each.adb" \
       -cargs $language $listing $optimise $fast $switches
 done
+# The march at power up: its data is in registers, and each turn of its loops has
+# several cells.
+# shellcheck disable=SC2086
+"${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" --RTS=../runtime \
+   $include power_up_tests.adb \
+   -cargs $language $listing $optimise $march $switches
 for each in $unlinked; do
    # shellcheck disable=SC2086
    "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \

@@ -5,34 +5,33 @@ package body URVOS.RAM_Tests with SPARK_Mode is
    Zeros : constant Word := 0;
    Ones  : constant Word := not 0;
 
-   --  Any two bits of a word differ in at least one of these.
-   type Background_Number is range 1 .. 4;
-
-   Backgrounds : constant array (Background_Number) of Wide :=
-     (Wide'Last / 3,       --  5555, hexadecimal, in each word
-      Wide'Last / 5,       --  3333
-      Wide'Last / 17,      --  0F0F
-      Wide'Last / 257);    --  00FF
+   --  The backgrounds, in each word. Any two bits of a word differ in at least
+   --  one of them.
+   Singles : constant Wide := Wide'Last / 3;     --  5555, hexadecimal
+   Pairs   : constant Wide := Wide'Last / 5;     --  3333
+   Fours   : constant Wide := Wide'Last / 17;    --  0F0F
+   Eights  : constant Wide := Wide'Last / 257;   --  00FF
 
    --  The steps of the test. Each runs through the whole memory in the
-   --  direction of its name, and ends at the first faulty word.
+   --  direction of its name, and ends at the first faulty word. The data are
+   --  parameters of calls, so that they are in registers (build.sh).
 
-   procedure Fill (Data : Word)
+   --  Up: write each background, write its complement, read, write the
+   --  background, read. Then write zeros.
+   procedure Backgrounds_Up
+     (First_One, Second, Third, Fourth : Wide;
+      Sound                            : out Boolean;
+      Where                            : out Address)
    with
-     Post =>
-       (if Is_Model
-        then (for all Place in First .. Last => Holds (Place, Data)));
-
-   --  Up: write Data, write its complement, read, write Data, read.
-   procedure Toggle_Up
-     (Data  : Wide;
-      Sound : out Boolean;
-      Where : out Address)
-   with
+     No_Inline,
      Post =>
        Where in First .. Last
        and then (if Sound then Where = First)
-       and then (if Is_Model then Sound);
+       and then
+         (if Is_Model
+          then Sound
+            and then
+              (for all Place in First .. Last => Holds (Place, Zeros)));
 
    --  Down: read Old, write Fresh.
    procedure Exchange_Down
@@ -40,6 +39,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
       Sound      : out Boolean;
       Where      : out Address)
    with
+     No_Inline,
      Pre  =>
        (if Is_Model
         then (for all Place in First .. Last => Holds (Place, Old))),
@@ -57,6 +57,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
       Sound      : out Boolean;
       Where      : out Address)
    with
+     No_Inline,
      Pre  =>
        (if Is_Model
         then (for all Place in First .. Last => Holds (Place, Old))),
@@ -74,6 +75,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
       Sound      : out Boolean;
       Where      : out Address)
    with
+     No_Inline,
      Pre  =>
        (if Is_Model
         then (for all Place in First .. Last => Holds (Place, Old))),
@@ -85,81 +87,104 @@ package body URVOS.RAM_Tests with SPARK_Mode is
           then Sound
             and then (for all Place in First .. Last => Holds (Place, Old)));
 
-   --  Up: read Data.
-   procedure Verify_Up
-     (Data  : Word;
-      Sound : out Boolean;
-      Where : out Address)
+   --  Up: read zeros.
+   procedure Verify_Up (Sound : out Boolean; Where : out Address)
    with
+     No_Inline,
      Pre  =>
        (if Is_Model
-        then (for all Place in First .. Last => Holds (Place, Data))),
+        then (for all Place in First .. Last => Holds (Place, Zeros))),
      Post =>
        Where in First .. Last
        and then (if Sound then Where = First)
        and then
          (if Is_Model
           then Sound
-            and then (for all Place in First .. Last => Holds (Place, Data)));
+            and then
+              (for all Place in First .. Last => Holds (Place, Zeros)));
 
-   procedure Fill (Data : Word) is
-      Here : Address := First;
-   begin
-      loop
-         Write (Here, Data);
-         pragma Loop_Invariant (Here in First .. Last);
-         pragma Loop_Invariant ((Here - First) mod Step = 0);
-         pragma Loop_Invariant
-           (if Is_Model
-            then (for all Place in First .. Here =>
-                    Holds (Place, Data)));
-         pragma Loop_Variant (Increases => Here);
-         exit when Here > Last - Step;
-         Here := Here + Step;
-      end loop;
-   end Fill;
+   function Is_Zero_Below (Here : Address) return Boolean is
+     (for all Place in First .. Last =>
+        (if Place < Here then Holds (Place, Zeros)))
+   with Ghost;
 
-   procedure Toggle_Up
-     (Data  : Wide;
-      Sound : out Boolean;
-      Where : out Address)
+   --  Write Data, write its complement, read, write Data, read.
+   procedure Toggle
+     (Here  : Address;
+      Data  : Wide;
+      Sound : out Boolean)
+   with
+     Inline,
+     Pre  =>
+       Here in First .. Last
+       and then (Here - First) mod Wide_Step = 0
+       and then (if Is_Model then Is_Zero_Below (Here)),
+     Post =>
+       (if Is_Model then Sound and then Is_Zero_Below (Here));
+
+   procedure Toggle
+     (Here  : Address;
+      Data  : Wide;
+      Sound : out Boolean)
    is
       Found : Wide;
-      Here  : Address := First;
+   begin
+      Write_Wide (Here, Data);
+      Write_Wide (Here, not Data);
+      Read_Wide (Here, Found);
+      Sound := Found = (not Data);
+      if Sound then
+         Write_Wide (Here, Data);
+         Read_Wide (Here, Found);
+         Sound := Found = Data;
+      end if;
+   end Toggle;
+
+   procedure Backgrounds_Up
+     (First_One, Second, Third, Fourth : Wide;
+      Sound                            : out Boolean;
+      Where                            : out Address)
+   is
+      Here         : Address := First;
+      Last_But_One : constant Address := Last - Wide_Step;
    begin
       loop
-         Write_Wide (Here, Data);
-         Write_Wide (Here, not Data);
-         Read_Wide (Here, Found);
-         if Found /= (not Data) then
-            Sound := False;
+         Toggle (Here, First_One, Sound);
+         if Sound then
+            Toggle (Here, Second, Sound);
+         end if;
+         if Sound then
+            Toggle (Here, Third, Sound);
+         end if;
+         if Sound then
+            Toggle (Here, Fourth, Sound);
+         end if;
+         if not Sound then
             Where := Here;
             return;
          end if;
-         Write_Wide (Here, Data);
-         Read_Wide (Here, Found);
-         if Found /= Data then
-            Sound := False;
-            Where := Here;
-            return;
-         end if;
+         Write_Wide (Here, 0);
          pragma Loop_Invariant (Here in First .. Last);
          pragma Loop_Invariant ((Here - First) mod Wide_Step = 0);
+         pragma Loop_Invariant
+           (if Is_Model
+            then (for all Place in First .. Here => Holds (Place, Zeros)));
          pragma Loop_Variant (Increases => Here);
-         exit when Here > Last - Wide_Step;
+         exit when Here > Last_But_One;
          Here := Here + Wide_Step;
       end loop;
       Sound := True;
       Where := First;
-   end Toggle_Up;
+   end Backgrounds_Up;
 
    procedure Exchange_Down
      (Old, Fresh : Word;
       Sound      : out Boolean;
       Where      : out Address)
    is
-      Found : Word;
-      Here  : Address := Last;
+      Found  : Word;
+      Here   : Address := Last;
+      Second : constant Address := First + Step;
    begin
       loop
          Read (Here, Found);
@@ -176,7 +201,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
             then (for all Place in First .. Last =>
                     Holds (Place, (if Place >= Here then Fresh else Old))));
          pragma Loop_Variant (Decreases => Here);
-         exit when Here < First + Step;
+         exit when Here < Second;
          Here := Here - Step;
       end loop;
       Sound := True;
@@ -188,8 +213,9 @@ package body URVOS.RAM_Tests with SPARK_Mode is
       Sound      : out Boolean;
       Where      : out Address)
    is
-      Found : Word;
-      Here  : Address := First;
+      Found        : Word;
+      Here         : Address := First;
+      Last_But_One : constant Address := Last - Step;
    begin
       loop
          Read (Here, Found);
@@ -206,7 +232,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
             then (for all Place in First .. Last =>
                     Holds (Place, (if Place <= Here then Fresh else Old))));
          pragma Loop_Variant (Increases => Here);
-         exit when Here > Last - Step;
+         exit when Here > Last_But_One;
          Here := Here + Step;
       end loop;
       Sound := True;
@@ -218,8 +244,9 @@ package body URVOS.RAM_Tests with SPARK_Mode is
       Sound      : out Boolean;
       Where      : out Address)
    is
-      Found : Word;
-      Here  : Address := First;
+      Found        : Word;
+      Here         : Address := First;
+      Last_But_One : constant Address := Last - Step;
    begin
       loop
          Read (Here, Found);
@@ -243,37 +270,34 @@ package body URVOS.RAM_Tests with SPARK_Mode is
             then (for all Place in First .. Last =>
                     Holds (Place, Old)));
          pragma Loop_Variant (Increases => Here);
-         exit when Here > Last - Step;
+         exit when Here > Last_But_One;
          Here := Here + Step;
       end loop;
       Sound := True;
       Where := First;
    end There_And_Back_Up;
 
-   procedure Verify_Up
-     (Data  : Word;
-      Sound : out Boolean;
-      Where : out Address)
-   is
-      Found : Word;
-      Here  : Address := First;
+   procedure Verify_Up (Sound : out Boolean; Where : out Address) is
+      Found        : Wide;
+      Here         : Address := First;
+      Last_But_One : constant Address := Last - Wide_Step;
    begin
       loop
-         Read (Here, Found);
-         if Found /= Data then
+         Read_Wide (Here, Found);
+         if Found /= 0 then
             Sound := False;
             Where := Here;
             return;
          end if;
          pragma Loop_Invariant (Here in First .. Last);
-         pragma Loop_Invariant ((Here - First) mod Step = 0);
+         pragma Loop_Invariant ((Here - First) mod Wide_Step = 0);
          pragma Loop_Invariant
            (if Is_Model
             then (for all Place in First .. Last =>
-                    Holds (Place, Data)));
+                    Holds (Place, Zeros)));
          pragma Loop_Variant (Increases => Here);
-         exit when Here > Last - Step;
-         Here := Here + Step;
+         exit when Here > Last_But_One;
+         Here := Here + Wide_Step;
       end loop;
       Sound := True;
       Where := First;
@@ -281,15 +305,10 @@ package body URVOS.RAM_Tests with SPARK_Mode is
 
    procedure Run (Sound : out Boolean; Where : out Address) is
    begin
-      for Number in Background_Number loop
-         Toggle_Up (Backgrounds (Number), Sound, Where);
-         if not Sound then
-            return;
-         end if;
-      end loop;
-
-      Fill (Zeros);
-      Exchange_Down (Zeros, Ones, Sound, Where);
+      Backgrounds_Up (Singles, Pairs, Fours, Eights, Sound, Where);
+      if Sound then
+         Exchange_Down (Zeros, Ones, Sound, Where);
+      end if;
       if Sound then
          There_And_Back_Up (Ones, Zeros, Sound, Where);
       end if;
@@ -300,7 +319,7 @@ package body URVOS.RAM_Tests with SPARK_Mode is
          There_And_Back_Up (Zeros, Ones, Sound, Where);
       end if;
       if Sound then
-         Verify_Up (Zeros, Sound, Where);
+         Verify_Up (Sound, Where);
       end if;
    end Run;
 

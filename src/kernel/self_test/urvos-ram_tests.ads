@@ -10,8 +10,9 @@
 --  accesses a word.
 --
 --  The backgrounds concern each word alone, so they may be written to several
---  words at once. The march may not: a word's effect on the next one is lost
---  when both are written together.
+--  words at once, as may the zeros before the march, and they may be read so
+--  after it. The march may not: a word's effect on the next one is lost when
+--  both are written together.
 --
 --  The test destroys the RAM's contents and leaves zeros. It ends at the first
 --  fault.
@@ -42,8 +43,8 @@ generic
    with function Holds (Where : Address; Data : Word) return Boolean is <>;
 package URVOS.RAM_Tests with SPARK_Mode is
 
-   --  Tests the RAM. Where becomes the first faulty word, or
-   --  the first one written with it.
+   --  Tests the RAM. Where becomes the first faulty word, or the first one
+   --  written or read with it.
    procedure Run (Sound : out Boolean; Where : out Address)
    with
      Post =>
