@@ -15,6 +15,7 @@ root=$PWD
 machine=$1
 node=$2
 listing=
+board=
 unlinked=
 
 case $machine in
@@ -42,6 +43,7 @@ case $machine in
       # than the work.
       fast="-O3 --param max-completely-peeled-insns=1000
             --param max-peel-branches=100"
+      board="telemetry-boards-dual_ported telemetry_board_program"
       folders="targets/mc68000 targets/mc68000/musashi
                targets/drivers/mc68681"
       rom_size=163840
@@ -103,40 +105,42 @@ march="-fno-ipa-cp -funroll-loops --param max-unroll-times=4"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatw.V -gnatwe -gnatyg -gnatyM79 -g"
 
 # Both nodes share the objects, which are made again with other switches.
-stamp="$stamp $language $listing $optimise $fast $march
-schedulers boards laws"
+stamp="$stamp $language $listing $optimise $fast $march $board
+schedulers boards laws fields"
 if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
    rm -rf objects
    mkdir objects
    echo "$stamp" >objects/stamp
 fi
 cd objects
+
+# compile SWITCHES UNIT...: a unit's name, not its path: a machine may have a body
+# of its own.
+compile() {
+   more=$1
+   shift
+   for unit; do
+      # shellcheck disable=SC2086 # lists of switches
+      "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \
+         --RTS=../runtime $include "$unit.adb" \
+         -cargs $language $listing $optimise $more $switches
+   done
+}
+
 # The telemetry board's software runs at each character, the converter's board at
 # each channel, and the scheduler's loops several times at each tick: they are
-# built for speed, and so are loops over surfaces and recorded words. These are
-# names, not paths: a machine may have a body of its own.
-for each in telemetry-boards telemetry-receivers \
-   telemetry-shared_boards \
+# built for speed, and so are loops over surfaces and recorded words.
+compile "$fast" telemetry-boards telemetry-receivers telemetry-shared_boards \
    urvos-schedulers urvos-schedulers-calls urv-ad_boards urv-law_steps \
    urv-recorder_rows
-do
-   # shellcheck disable=SC2086
-   "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \
-      --RTS=../runtime $include "$each.adb" \
-      -cargs $language $listing $optimise $fast $switches
-done
+# The fields of a chip's register are tested in place.
+# shellcheck disable=SC2086 # lists of units
+compile "$fast -fno-tree-sra" $board
 # The march at power up: its data is in registers, and each turn of its loops has
 # several cells.
+compile "$march" power_up_tests
 # shellcheck disable=SC2086
-"${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" --RTS=../runtime \
-   $include power_up_tests.adb \
-   -cargs $language $listing $optimise $march $switches
-for each in $unlinked; do
-   # shellcheck disable=SC2086
-   "${prefix}gnatmake-12" -q -c -u --GCC="${prefix}gcc-12" \
-      --RTS=../runtime $include "$each.adb" \
-      -cargs $language $listing $optimise $switches
-done
+compile "" $unlinked
 # shellcheck disable=SC2086
 "${prefix}gnatmake-12" -q -c -j0 --GCC="${prefix}gcc-12" \
    --RTS=../runtime $include "${node}_image.adb" \

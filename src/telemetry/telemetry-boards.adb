@@ -71,7 +71,7 @@ package body Telemetry.Boards with SPARK_Mode is
        and then Data = Output (Prepared (Item'Old, Blocks'Old), Blocks)
        and then Send = Item.Line_Taken;
 
-   --  The same for a board that neither sends a block nor waits.
+   --  The same for a board that neither sends a byte of its block nor waits.
    procedure Begin_Or_Reply
      (Item   : in out Turns.Control;
       Blocks : in out Buffer_Pair;
@@ -184,24 +184,29 @@ package body Telemetry.Boards with SPARK_Mode is
    is
       Before : constant Turns.Control := Item with Ghost;
    begin
-      if Item.State = Sending then
+      if Item.State = Sending
+        and then Item.Sender.Sent
+                 in 1 .. Character_Count (Item.Transmit_Length)
+      then
+         --  A byte of the block. Most characters are of this kind.
          pragma Assert (Prepared (Before, Blocks) = Before);
          Send := True;
-         Data :=
-           Next_Byte
-             (Item.Sender, Blocks.Slots (Item.Sender.Source).Data,
-              Item.Transmit_Length);
-         Item.Sender :=
-           Advanced
-             (Item.Sender, Blocks.Slots (Item.Sender.Source).Data,
-              Item.Transmit_Length);
-         if Item.Sender.Sent = Message_Length (Item.Transmit_Length) then
-            Item.State := Awaiting_Status;
+         if Item.Sender.Source = First then
+            Data := Blocks.Slots (First).Data (Byte_Index (Item.Sender.Sent));
+         else
+            Data := Blocks.Slots (Second).Data (Byte_Index (Item.Sender.Sent));
          end if;
+         Item.Sender.Sum := Checksum.Next (Item.Sender.Sum, Data);
+         Item.Sender.Sent := Item.Sender.Sent + 1;
          if Item.Line_Taken then
             Item.Silence := 0;
+         else
+            Item.Line_Taken := True;
          end if;
-         Item.Line_Taken := True;
+         pragma Assert
+           (Item.Sender = Advanced
+              (Before.Sender, Blocks.Slots (Before.Sender.Source).Data,
+               Before.Transmit_Length));
          pragma Assert (Item = Spoken (Before, Blocks));
          pragma Assert (Is_Sound (Item));
          pragma Assert (Holds (Blocks, Item));
@@ -266,9 +271,11 @@ package body Telemetry.Boards with SPARK_Mode is
 
    procedure Elapse (This : in out Board; Time : Character_Times) is
    begin
-      --  Within a message a board waits for the next character.
-      if This.Control.Receiver.State = In_Data
-        and then not This.Control.Line_Taken
+      --  A board with a character of its own on the line does not wait. Within
+      --  a message it waits for the next character.
+      if This.Control.Line_Taken then
+         null;
+      elsif This.Control.Receiver.State = In_Data
         and then This.Control.Silence + Time
                  < Dead_Space_On (This.Control.Round_Trip)
       then
@@ -286,7 +293,7 @@ package body Telemetry.Boards with SPARK_Mode is
    is
       Before : constant Buffer_Pair := This.Receive_Pair with Ghost;
    begin
-      Data := Contents (This.Receive_Pair);
+      Copy_Contents (This.Receive_Pair, Data);
       Fresh := Any_Full (This.Receive_Pair);
       Ever_Received := This.Control.Messages > 0;
       Take_All (This.Receive_Pair);
@@ -302,9 +309,20 @@ package body Telemetry.Boards with SPARK_Mode is
       Data      : Block_Data;
       Overwrote : out Boolean)
    is
+      Before : constant Board := This with Ghost;
+      Source : constant Slot  := This.Control.Sender.Source with Ghost;
    begin
       Overwrote := Both_Full (This.Transmit_Pair);
-      This.Transmit_Pair := Filled (This.Transmit_Pair, Data);
+      Fill (This.Transmit_Pair, Data);
+      pragma Assert (Holds (This.Transmit_Pair, This.Control));
+      if This.Control.State = Sending and then This.Control.Sender.Sent > 0
+      then
+         Checksum.Same_Bytes_Same_Sum
+           (Data_Header (This.Control.Transmit_Length),
+            Before.Transmit_Pair.Slots (Source).Data,
+            This.Transmit_Pair.Slots (Source).Data,
+            Byte_Count (This.Control.Sender.Sent - 1));
+      end if;
    end Put;
 
    procedure Clear_Transmit_Half (This : in out Board) is

@@ -40,9 +40,11 @@ package Telemetry.Checksum with Pure, SPARK_Mode is
    with Global => null;
 
    --  The checksum after one more byte.
-   function Next (Sum : Byte; Data : Byte) return Byte is
-     (Times_X8 (Sum xor Data))
-   with Global => null;
+   function Next (Sum : Byte; Data : Byte) return Byte
+   with
+     Inline,
+     Global => null,
+     Post   => Next'Result = Times_X8 (Sum xor Data);
 
    --  The checksum of a header and the first Length bytes of a block. Only
    --  contracts call it; the board computes the sum byte by byte.

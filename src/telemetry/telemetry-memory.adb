@@ -38,4 +38,23 @@ package body Telemetry.Memory with SPARK_Mode is
       end if;
    end Begin_Block;
 
+   procedure Fill (Pair : in out Buffer_Pair; Data : Block_Data) is
+      Which : constant Slot := To_Fill (Pair);
+   begin
+      Pair.Slots (Which).Data := Data;
+      Pair.Slots (Which).Full := True;
+      Pair.Slots (Which).Busy := False;
+      Pair.Slots (Which).Attempts := 0;
+      Pair.Newest := Which;
+   end Fill;
+
+   procedure Copy_Contents (Pair : Buffer_Pair; Data : out Block_Data) is
+   begin
+      if Any_Full (Pair) then
+         Data := Pair.Slots (Newest_Full (Pair)).Data;
+      else
+         Data := (others => 0);
+      end if;
+   end Copy_Contents;
+
 end Telemetry.Memory;

@@ -153,6 +153,24 @@ package Telemetry.Memory with Pure, SPARK_Mode is
            (for Each in Slot => (Pair.Slots (Each) with delta Full => False))))
    with Global => null;
 
+   --  The controller has put a block into a transmit pair.
+   function Filled
+     (Pair : Buffer_Pair;
+      Data : Block_Data) return Buffer_Pair
+   is
+     ((Newest => To_Fill (Pair),
+       Slots  => (Pair.Slots with delta
+         To_Fill (Pair) =>
+           (Full => True, Busy => False, Attempts => 0, Data => Data))))
+   with Global => null;
+
+   --  The block that the controller takes from a receive pair: the newest, or
+   --  zeros if there is none. An older one is discarded.
+   function Contents (Pair : Buffer_Pair) return Block_Data is
+     (if Any_Full (Pair) then Pair.Slots (Newest_Full (Pair)).Data
+      else (others => 0))
+   with Global => null;
+
    --  In place
 
    procedure Take_All (Pair : in out Buffer_Pair)
@@ -182,22 +200,15 @@ package Telemetry.Memory with Pure, SPARK_Mode is
      Pre    => Pair.Slots (Which).Attempts < Attempt_Count'Last,
      Post   => Pair = Begun (Pair'Old, Which);
 
-   --  The controller has put a block into a transmit pair.
-   function Filled
-     (Pair : Buffer_Pair;
-      Data : Block_Data) return Buffer_Pair
-   is
-     ((Newest => To_Fill (Pair),
-       Slots  => (Pair.Slots with delta
-         To_Fill (Pair) =>
-           (Full => True, Busy => False, Attempts => 0, Data => Data))))
-   with Global => null;
+   procedure Fill (Pair : in out Buffer_Pair; Data : Block_Data)
+   with
+     Global => null,
+     Post   => Pair = Filled (Pair'Old, Data);
 
-   --  The block that the controller takes from a receive pair: the newest, or
-   --  zeros if there is none. An older one is discarded.
-   function Contents (Pair : Buffer_Pair) return Block_Data is
-     (if Any_Full (Pair) then Pair.Slots (Newest_Full (Pair)).Data
-      else (others => 0))
-   with Global => null;
+   procedure Copy_Contents (Pair : Buffer_Pair; Data : out Block_Data)
+   with
+     Inline,
+     Global => null,
+     Post   => Data = Contents (Pair);
 
 end Telemetry.Memory;

@@ -15,7 +15,12 @@ package body Telemetry.Receivers with SPARK_Mode is
       This.Received := This.Received + 1;
       This.Sum := Checksum.Next (This.Sum, Data);
       This.Damaged := This.Damaged or Parity_Error;
-      Pair.Slots (This.Target).Data (This.Received) := Data;
+      --  By name: an index of a slot takes a multiplication.
+      if This.Target = First then
+         Pair.Slots (First).Data (This.Received) := Data;
+      else
+         Pair.Slots (Second).Data (This.Received) := Data;
+      end if;
       Checksum.Same_Bytes_Same_Sum
         (Data_Header (Length),
          Before.Slots (This.Target).Data,

@@ -94,14 +94,14 @@ package Telemetry.Receivers with Pure, SPARK_Mode is
      (if Parity_Error or else not Is_Valid (Data)
       then (Kind => Lost_Step, others => False)
       else
-        (case Decode (Data).Kind is
+        (case Kind_Of (Data) is
             when Command_To_Downlink => (Kind => Command, others => False),
             when Headers.Status      =>
               (Kind           => Status,
-               Good           => Decode (Data).Good,
-               Wants_Downlink => Decode (Data).Wants_Downlink),
+               Good           => Is_Good (Data),
+               Wants_Downlink => Wants_Downlink (Data)),
             when Headers.Data        =>
-              (Kind   => (if Wants_Data and then Decode (Data).Length = Length
+              (Kind   => (if Wants_Data and then Data = Data_Header (Length)
                           then Block_Begun else Lost_Step),
                others => False)))
    with Global => null;

@@ -154,6 +154,8 @@ package body Telemetry.Boards.Dual_Ported is
 
    function Is_Ready return Boolean is (Ready = Memory_Is_Ready);
 
+   function Is_Taken return Boolean is (Ready = 0);
+
    procedure Recover is
       Before  : Turns.Control renames Shared.Control;
       Claimed : Boolean;

@@ -25,9 +25,12 @@ package Telemetry.Boards.Dual_Ported is
    --  The board's processor may use the memory from now on.
    procedure Make_Ready;
 
-   --  The board's processor does not touch the memory before. A memory that is
-   --  no longer ready makes it start again.
+   --  The board's processor does not touch the memory before.
    function Is_Ready return Boolean
+   with Inline;
+
+   --  The controller has taken the memory back: the board starts again.
+   function Is_Taken return Boolean
    with Inline;
 
    --  At each restart of a processor: releases what it had claimed. If it
@@ -74,7 +77,8 @@ package Telemetry.Boards.Dual_Ported is
      (Elapsed      : Character_Times;
       Data         : Byte;
       Parity_Error : Boolean;
-      May_Speak    : out Boolean);
+      May_Speak    : out Boolean)
+   with Inline;
 
    --  Without a claim the board has nothing to send, and looks again after a
    --  character time.
@@ -82,6 +86,7 @@ package Telemetry.Boards.Dual_Ported is
      (Elapsed   : Character_Times;
       Send      : out Boolean;
       Data      : out Byte;
-      Time_Left : out Character_Times);
+      Time_Left : out Character_Times)
+   with Inline;
 
 end Telemetry.Boards.Dual_Ported;

@@ -134,8 +134,9 @@ package body Telemetry_Board_Program is
          Look (Line, Next, Sender_Is_Free);
          exit when Next = Nothing;
       end loop;
-      if Sender_Is_Free then
-         Look_For_Turn;
+      --  News can wait for a character time without a character.
+      if Sender_Is_Free and then Line_Turns.Is_Due then
+         Speak;
       end if;
    end Hear;
 
@@ -158,7 +159,7 @@ package body Telemetry_Board_Program is
       if not Is_Due then
          return;
       end if;
-      if not Is_Ready then
+      if Is_Taken then
          Targets.Restart_Processor (Memory_Is_Taken);
       end if;
       Targets.Feed_Watchdog;
