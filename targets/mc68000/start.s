@@ -44,25 +44,6 @@
 
 	.text
 
-| The handlers do not interrupt each other.
-	.macro	handler ada
-	movem.l	%d0-%d1/%a0-%a1, -(%sp)
-	jsr	\ada
-	movem.l	(%sp)+, %d0-%d1/%a0-%a1
-	rte
-	.endm
-	.ifdef	TELEMETRY_BOARD
-urv_on_line:
-	handler	urv_line_interrupt
-	.else
-urv_on_converter:
-	move.w	#0x2700, %sr
-	handler	urv_converter_interrupt
-urv_on_clock:
-	move.w	#0x2700, %sr
-	handler	urv_clock_interrupt
-	.endif
-
 	.globl	urv_reset
 urv_reset:
 	move.w	#0x2700, %sr

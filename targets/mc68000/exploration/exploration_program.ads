@@ -16,6 +16,6 @@ private
    with Export, Convention => C, External_Name => "urv_run";
 
    procedure On_Line is null
-   with Export, Convention => C, External_Name => "urv_line_interrupt";
+   with Export, Convention => C, External_Name => "urv_on_line";
 
 end Exploration_Program;

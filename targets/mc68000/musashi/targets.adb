@@ -13,6 +13,7 @@ with MC68681.Channels;        use MC68681.Channels;
 with MC68681.Registers;
 with MC68681.Timers;          use MC68681.Timers;
 with Stack_Marks;
+with System.Machine_Code;     use System.Machine_Code;
 with System.Storage_Elements; use System.Storage_Elements;
 with Telemetry.Boards.Dual_Ported;
 
@@ -87,13 +88,26 @@ package body Targets is
    Ticks     : Natural     := 10;
    Has_Begun : Boolean     := False;
 
+   --  The vectors lead here: the compiler saves the registers. The handlers do
+   --  not interrupt each other.
+
    procedure On_Clock
-   with Export, Convention => C, External_Name => "urv_clock_interrupt";
+   with Export, Convention => C, External_Name => "urv_on_clock";
+   pragma Machine_Attribute (On_Clock, "interrupt_handler");
 
    procedure On_Converter
-   with Export, Convention => C, External_Name => "urv_converter_interrupt";
+   with Export, Convention => C, External_Name => "urv_on_converter";
+   pragma Machine_Attribute (On_Converter, "interrupt_handler");
+
+   procedure Mask_Others
+   with Inline;
 
    procedure End_Run;
+
+   procedure Mask_Others is
+   begin
+      Asm ("move.w #0x2700, %%sr", Volatile => True);
+   end Mask_Others;
 
    procedure Open_Console is
    begin
@@ -147,6 +161,7 @@ package body Targets is
    procedure On_Clock is
       Unused_Is_Due : Boolean;
    begin
+      Mask_Others;
       Take_Period (Clock_Chip, Unused_Is_Due);
       Ticks := Ticks - 1;
       if Emulator.Is_Over = 1 then
@@ -166,6 +181,7 @@ package body Targets is
 
    procedure On_Converter is
    begin
+      Mask_Others;
       On_Converted (Unsigned_32 (Converter.Data));
    end On_Converter;
 

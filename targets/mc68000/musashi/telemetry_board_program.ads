@@ -23,6 +23,9 @@ package Telemetry_Board_Program is
 private
 
    procedure On_Line
-   with Export, Convention => C, External_Name => "urv_line_interrupt";
+   with Export, Convention => C, External_Name => "urv_on_line";
+
+   --  The interrupt's vector leads here: the compiler saves the registers.
+   pragma Machine_Attribute (On_Line, "interrupt_handler");
 
 end Telemetry_Board_Program;
