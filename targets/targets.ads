@@ -66,7 +66,8 @@ package Targets is
 
    --  Starts a conversion of the analog board. Its interrupt comes 16 us
    --  later.
-   procedure Convert (Channel : Devices.AD_Board.Channel_Number);
+   procedure Convert (Channel : Devices.AD_Board.Channel_Number)
+   with Inline;
 
    --  The watchdog restarts the processor if this call stays away for 100 ms
    --  (BRD-7). It waits for the first call after a start.

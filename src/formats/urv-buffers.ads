@@ -174,6 +174,20 @@ package URV.Buffers with Pure, SPARK_Mode is
          else Source (Item)))
    with Global => null;
 
+   --  The same in place
+
+   procedure Mark (This : in out Uplink_Buffer; Status : Word)
+   with
+     Inline,
+     Global => null,
+     Post   => This = Marked (This'Old, Status);
+
+   procedure Mark (This : in out Downlink_Buffer; Status : Word)
+   with
+     Inline,
+     Global => null,
+     Post   => This = Marked (This'Old, Status);
+
    --  A buffer marked as of an earlier frame; whether one is so marked (SAF-5)
 
    function As_Old (Source : Uplink_Buffer) return Uplink_Buffer is

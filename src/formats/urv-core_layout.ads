@@ -31,6 +31,16 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
      ([for Item in Status_Item => Type_Code (Item)])
    with Global => null;
 
+   --  The area has the codes of above: its places are those of the buffer.
+
+   function Is_Usual (Codes : Uplink_Code_List) return Boolean is
+     (for all Item in Uplink_Item => Codes (Item) = Code_Of (Item))
+   with Global => null;
+
+   function Is_Usual (Codes : Downlink_Code_List) return Boolean is
+     (for all Item in Downlink_Item => Codes (Item) = Code_Of (Item))
+   with Global => null;
+
    --  The words of an area after a buffer is stored by the area's codes: each
    --  word is that of its code. A place with a code that no item of the buffer
    --  has keeps its word.
@@ -43,7 +53,9 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
      ([for Where in Uplink_Item =>
          (if Codes (Where) in Uplink_Code
           then Source (Uplink_Item_Of (Codes (Where))) else Before (Where))])
-   with Global => null;
+   with
+     Global => null,
+     Post   => (if Is_Usual (Codes) then Stored'Result = Source);
 
    function Stored
      (Codes  : Downlink_Code_List;
@@ -54,7 +66,9 @@ package URV.CORE_Layout with Pure, SPARK_Mode is
          (if Codes (Where) in Downlink_Code
           then Source (Downlink_Item_Of (Codes (Where)))
           else Before (Where))])
-   with Global => null;
+   with
+     Global => null,
+     Post   => (if Is_Usual (Codes) then Stored'Result = Source);
 
    --  The first unknown code
 

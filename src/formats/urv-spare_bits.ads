@@ -128,6 +128,12 @@ package URV.Spare_Bits with Pure, SPARK_Mode is
             or Sent_With (Frame, Item) * Spare_Unit)])
    with Global => null;
 
+   --  The same in place.
+   procedure Pack (This : in out Downlink_Buffer; Frame : Frame_Words)
+   with
+     Global => null,
+     Post   => This = Packed (This'Old, Frame);
+
    --  The same after the link
 
    function Is_Marked (Source : Downlink_Buffer) return Boolean is
@@ -197,5 +203,13 @@ package URV.Spare_Bits with Pure, SPARK_Mode is
    function Unpacked (Source : Downlink_Buffer) return Framed_Downlink is
      ((Words => Sensors_In (Source), Frame => Frame_In (Source)))
    with Global => null;
+
+   --  The same in place.
+   procedure Unpack
+     (Words : in out Downlink_Buffer; Frame : out Frame_Words)
+   with
+     Global => null,
+     Post   =>
+       Words = Sensors_In (Words'Old) and then Frame = Frame_In (Words'Old);
 
 end URV.Spare_Bits;

@@ -6,7 +6,7 @@ package body URV.Sensor_Checks with SPARK_Mode is
 
    --  The table is in the body: a prover that sees all its rules takes seconds
    --  for each goal.
-   type Rule_Table is array (Law_Item) of Rule;
+   type Rule_Table is array (Sensor_Item) of Rule;
 
    --  The largest movement of a word between scans, from words a second,
    --  rounded up.
@@ -55,10 +55,11 @@ package body URV.Sensor_Checks with SPARK_Mode is
       Pitch_Rate       => (1, 4_094, Slow_Rate_Step, Pitch_Attitude, 340),
       Yaw_Rate         => (1, 4_094, Slow_Rate_Step, Roll_Attitude, 340),
       Airspeed         => (0, 4_000, Airspeed_Step, Altitude, 400),
-      Altitude         => (0, 4_094, Altitude_Step, Pitch_Attitude, 340));
+      Altitude         => (0, 4_094, Altitude_Step, Pitch_Attitude, 340),
+      Uplink_Signal_Strength =>
+        (0, Any, Any, Uplink_Signal_Strength, Any));
 
-   function Rule_Of (Item : Sensor_Item) return Rule is
-     (if Item in Law_Item then Rules (Item) else (0, Any, Any, Item, Any));
+   function Rule_Of (Item : Sensor_Item) return Rule is (Rules (Item));
 
    --  One check in place, each condition computed once.
 
@@ -93,17 +94,22 @@ package body URV.Sensor_Checks with SPARK_Mode is
    procedure Take_Word
      (This : in out Check; Value, Witness : Word; By : Rule)
    is
-      Has_Moved : constant Boolean :=
-        not This.Is_Seen or else Value /= This.Anchor;
-      Stuck     : constant Stuck_Count :=
-        (if Has_Moved or else not Has_Left (This, Witness, By) then 0
-         elsif This.Stuck = Stuck_Scans then Stuck_Scans
-         else This.Stuck + 1);
+      Is_Plausible : constant Boolean :=
+        Is_In_Range (Value, By) and then Is_Slow (This, Value, By);
    begin
-      if Is_In_Range (Value, By)
-        and then Is_Slow (This, Value, By)
-        and then Stuck < Stuck_Scans
-      then
+      if not This.Is_Seen or else Value /= This.Anchor then
+         This.Is_Seen := True;
+         This.Anchor := Value;
+         This.Witnessed := Witness;
+         This.Stuck := 0;
+      elsif not Has_Left (This, Witness, By) then
+         This.Stuck := 0;
+      elsif This.Stuck < Stuck_Scans then
+         This.Stuck := This.Stuck + 1;
+      end if;
+      This.Last := Value;
+
+      if Is_Plausible and then This.Stuck < Stuck_Scans then
          if not This.Is_Valid then
             This.Is_Valid := This.Good >= Good_Scans - 1;
          end if;
@@ -115,19 +121,12 @@ package body URV.Sensor_Checks with SPARK_Mode is
       else
          This.Is_Valid := This.Is_Valid
            and then This.Bad < Bad_Scans - 1
-           and then Stuck < Stuck_Scans;
+           and then This.Stuck < Stuck_Scans;
          if This.Bad < Bad_Scans then
             This.Bad := This.Bad + 1;
          end if;
          This.Good := 0;
       end if;
-      if Has_Moved then
-         This.Is_Seen := True;
-         This.Anchor := Value;
-         This.Witnessed := Witness;
-      end if;
-      This.Last := Value;
-      This.Stuck := Stuck;
    end Take_Word;
 
    procedure Take_Frame

@@ -59,6 +59,9 @@ package URV.Servo_Models with Pure, SPARK_Mode is
    subtype Rate_Limit is Number range
      1 .. Slowest_Aileron * Microseconds_Per_Step / Per_Step;
 
+   Far_Factor : constant :=
+     (1_000 + Slowest_Share - 1) / Slowest_Share + Steps_Per_Frame - 1;
+
    function Slowest_Rate (Item : Surface) return Rate_Limit is
      (case Item is
          when Left_Aileron | Right_Aileron =>
@@ -68,6 +71,12 @@ package URV.Servo_Models with Pure, SPARK_Mode is
            Slowest_Tail * Microseconds_Per_Step / Per_Step,
          when Flap                         =>
            Slowest_Flap * Microseconds_Per_Step / Per_Step)
+   with Global => null;
+
+   --  From this distance on a servo moves at its rate limit in each step of a
+   --  frame.
+   function Far_From (Item : Surface) return Number is
+     (Far_Factor * Slowest_Rate (Item))
    with Global => null;
 
    --  The movement of the slowest sound servo in a step: its share of the
@@ -87,15 +96,21 @@ package URV.Servo_Models with Pure, SPARK_Mode is
      (Factor * 1_000 < Slowest_Share * Divisor
         or else (Factor * 1_000 - Slowest_Share * Divisor) * Longest_Short
                   >= (2 - Slowest_Share mod 2) * Divisor
-        or else Longest_Short * Slowest_Share / 1_000 < Rate_Limit'Last,
+        or else Longest_Short * Slowest_Share / 1_000 < Rate_Limit'Last
+        or else Far_Factor * Rate_Limit'Last > Longest_Short,
       "the product is not the slowest servo's share for this frame");
+
+   function Share_Of (Distance : Short_Distance) return Number is
+     (Integer (Distance) * Factor / Divisor)
+   with
+     Global => null,
+     Post   => Share_Of'Result = Part_Of (Integer (Distance));
 
    function Movement (Distance : Number; Slowest : Rate_Limit) return Number
    is
      (if Distance < Least_Moving then 0
       elsif Distance > Longest_Short then Slowest
-      else Integer'Min
-        (Slowest, Integer (Short_Distance (Distance)) * Factor / Divisor))
+      else Integer'Min (Slowest, Share_Of (Short_Distance (Distance))))
    with
      Global => null,
      Pre    => Distance in 0 .. Fine'Last - Fine'First,
@@ -115,20 +130,16 @@ package URV.Servo_Models with Pure, SPARK_Mode is
    --  The range to which these words may send a sound servo. A servo may or
    --  may not follow a word beyond the linkage's stop.
 
-   function Least_Word (Words : Word_History) return Demand is
-     (Integer'Min (Words.First, Integer'Min (Words.Before, Words.Last)))
-   with Global => null;
-
-   function Most_Word (Words : Word_History) return Demand is
-     (Integer'Max (Words.First, Integer'Max (Words.Before, Words.Last)))
-   with Global => null;
-
    function Goals_Of (Which : Surface; Words : Word_History) return Bounds is
      (Least => Per_Word *
-        (Integer'Min (Least_Word (Words), Highest (Which))
+        (Integer'Min
+           (Integer'Min (Words.First, Integer'Min (Words.Before, Words.Last)),
+            Highest (Which))
          - Dead_Band (Which)),
       Most  => Per_Word *
-        (Integer'Max (Most_Word (Words), Lowest (Which))
+        (Integer'Max
+           (Integer'Max (Words.First, Integer'Max (Words.Before, Words.Last)),
+            Lowest (Which))
          + Dead_Band (Which)))
    with
      Global => null,
@@ -151,26 +162,42 @@ package URV.Servo_Models with Pure, SPARK_Mode is
              Integer'Max (Words.Last, Reachable (Which, Words.Last)))
           + Dead_Band (Which));
 
-   --  A bound after a step: it widens to the goal at once, or narrows towards
-   --  it
+   --  The distance that is left after a step, and after two steps.
 
-   function Most_After
-     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
-   is
-     (if Goal >= From then Goal
-      else From - Movement (From - Goal, Slowest))
+   function Left (Distance : Number; Slowest : Rate_Limit) return Number is
+     (Distance - Movement (Distance, Slowest))
    with
      Global => null,
-     Post   => Most_After'Result in Goal .. Integer'Max (From, Goal);
+     Pre    => Distance in 0 .. Fine'Last - Fine'First,
+     Post   => Left'Result in 0 .. Distance;
+
+   function Left_After_Two
+     (Distance : Number; Slowest : Rate_Limit) return Number
+   is
+     (Left (Left (Distance, Slowest), Slowest))
+   with
+     Global => null,
+     Pre    => Distance in 0 .. Fine'Last - Fine'First,
+     Post   => Left_After_Two'Result in 0 .. Distance;
+
+   --  A bound after a step: it widens to the goal at once, or narrows towards
+   --  it. The upper bound is the lower one of a mirrored servo
 
    function Least_After
      (From, Goal : Fine; Slowest : Rate_Limit) return Fine
    is
-     (if Goal <= From then Goal
-      else From + Movement (Goal - From, Slowest))
+     (if Goal <= From then Goal else Goal - Left (Goal - From, Slowest))
    with
      Global => null,
      Post   => Least_After'Result in Integer'Min (From, Goal) .. Goal;
+
+   function Most_After
+     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+   is
+     (-Least_After (-From, -Goal, Slowest))
+   with
+     Global => null,
+     Post   => Most_After'Result in Goal .. Integer'Max (From, Goal);
 
    function After_Step
      (From, Goals : Bounds; Slowest : Rate_Limit) return Bounds
@@ -179,61 +206,103 @@ package URV.Servo_Models with Pure, SPARK_Mode is
       Most  => Most_After (From.Most, Goals.Most, Slowest))
    with Global => null;
 
-   function After_Two_Steps
-     (From, Goals : Bounds; Slowest : Rate_Limit) return Bounds
-   is
-     (After_Step (After_Step (From, Goals, Slowest), Goals, Slowest))
-   with Global => null;
+   --  The same after two steps
 
-   --  The bounds at the next scan. A bound near its goal does not move.
+   function Least_After_Two
+     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+   is
+     (Least_After (Least_After (From, Goal, Slowest), Goal, Slowest))
+   with
+     Global => null,
+     Post   =>
+       Least_After_Two'Result =
+         (if Goal <= From then Goal
+          else Goal - Left_After_Two (Goal - From, Slowest));
+
+   function Most_After_Two
+     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+   is
+     (-Least_After_Two (-From, -Goal, Slowest))
+   with
+     Global => null,
+     Post   =>
+       Most_After_Two'Result =
+         Most_After (Most_After (From, Goal, Slowest), Goal, Slowest);
+
+   --  The distance that is left after the five steps of a frame
+
+   function Left_After_Five
+     (Distance : Short_Distance; Slowest : Rate_Limit) return Short_Distance
+   with
+     Global => null,
+     Post   =>
+       Left_After_Five'Result <= Distance
+       and then
+         Integer (Left_After_Five'Result) =
+           Left
+             (Left_After_Two
+                (Left_After_Two (Integer (Distance), Slowest), Slowest),
+              Slowest);
+
+   function Left_After_Frame
+     (Distance : Number; Which : Surface) return Number
+   is
+     (if Distance < Least_Moving then Distance
+      elsif Distance >= Far_From (Which)
+      then Distance - Steps_Per_Frame * Slowest_Rate (Which)
+      else Integer
+        (Left_After_Five
+           (Short_Distance (Distance), Slowest_Rate (Which))))
+   with
+     Global => null,
+     Pre    => Distance in 0 .. Fine'Last - Fine'First,
+     Post   =>
+       Left_After_Frame'Result in 0 .. Distance
+       and then
+         Left_After_Frame'Result =
+           Left
+             (Left_After_Two
+                (Left_After_Two (Distance, Slowest_Rate (Which)),
+                 Slowest_Rate (Which)),
+              Slowest_Rate (Which));
+
+   --  The bounds at the next scan
 
    function Least_After_Frame
-     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+     (From, Goal : Fine; Which : Surface) return Fine
    is
      (if Goal <= From then Goal
-      elsif Goal - From < Least_Moving then From
-      else Least_After
-        (Least_After
-           (Least_After
-              (Least_After
-                 (Least_After (From, Goal, Slowest), Goal, Slowest),
-               Goal, Slowest),
-            Goal, Slowest),
-         Goal, Slowest))
-   with Global => null;
+      else Goal - Left_After_Frame (Goal - From, Which))
+   with
+     Global => null,
+     Post   =>
+       Least_After_Frame'Result = Least_After
+         (Least_After_Two
+            (Least_After_Two (From, Goal, Slowest_Rate (Which)),
+             Goal, Slowest_Rate (Which)),
+          Goal, Slowest_Rate (Which));
 
    function Most_After_Frame
-     (From, Goal : Fine; Slowest : Rate_Limit) return Fine
+     (From, Goal : Fine; Which : Surface) return Fine
    is
-     (if Goal >= From then Goal
-      elsif From - Goal < Least_Moving then From
-      else Most_After
-        (Most_After
-           (Most_After
-              (Most_After
-                 (Most_After (From, Goal, Slowest), Goal, Slowest),
-               Goal, Slowest),
-            Goal, Slowest),
-         Goal, Slowest))
-   with Global => null;
+     (-Least_After_Frame (-From, -Goal, Which))
+   with
+     Global => null,
+     Post   =>
+       Most_After_Frame'Result = Most_After
+         (Most_After_Two
+            (Most_After_Two (From, Goal, Slowest_Rate (Which)),
+             Goal, Slowest_Rate (Which)),
+          Goal, Slowest_Rate (Which));
 
    function After_Frame
      (Which : Surface; From : Bounds; Words : Word_History) return Bounds
    is
      (Least => Least_After_Frame
-        (From.Least, Goals_Of (Which, Words).Least, Slowest_Rate (Which)),
+        (From.Least, Goals_Of (Which, Words).Least, Which),
       Most  => Most_After_Frame
-        (From.Most, Goals_Of (Which, Words).Most, Slowest_Rate (Which)))
-   with
-     Global => null,
-     Post   =>
-       --  Five steps.
-       After_Frame'Result = After_Step
-         (After_Two_Steps
-            (After_Two_Steps
-               (From, Goals_Of (Which, Words), Slowest_Rate (Which)),
-             Goals_Of (Which, Words), Slowest_Rate (Which)),
-          Goals_Of (Which, Words), Slowest_Rate (Which));
+        (From.Most, Goals_Of (Which, Words).Most, Which))
+   with Global => null;
 
    --  The distance of a measured position from the bounds, in words; 0 within
    --  them. A surface at its stop is measured there, even if its servo would
@@ -241,8 +310,7 @@ package URV.Servo_Models with Pure, SPARK_Mode is
    subtype Distance is Number range 0 .. 4_200;
 
    function At_Stops (Which : Surface; Place : Fine) return Fine is
-     (Within
-        (Place, Per_Word * Lowest (Which), Per_Word * Highest (Which)))
+     (Within (Place, Per_Word * Lowest (Which), Per_Word * Highest (Which)))
    with Global => null;
 
    function Off

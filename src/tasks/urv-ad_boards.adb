@@ -66,8 +66,7 @@ package body URV.AD_Boards with SPARK_Mode is
      (Contents : in out Registers;
       Item     : in out Scan;
       Value    : Word;
-      Next     : out Next_Step;
-      Channel  : out Channel_Count)
+      Next     : out Successor)
    with
      Inline,
      Post =>
@@ -75,20 +74,20 @@ package body URV.AD_Boards with SPARK_Mode is
           and then Contents'Old.Interrupt_Enabled
         then
           (if Is_Complete (Item'Old)
-           then Next = Ignore and then Item = Item'Old
+           then Next = Not_Expected and then Item = Item'Old
            else Item.Current = Item'Old.Current + 1
              and then Item.Words =
                (Item'Old.Words with delta
                   Buffers.Channel (Item'Old.Current) => Value)
              and then Next =
-               (if Is_Complete (Item) then Send_Words else Start_Channel))
-        else Next = Discard and then Item = Item'Old)
-       and then Contents.Doing /= Start_Wanted
-       and then Channel =
-         (if Next = Start_Channel then Item.Current
-          elsif Contents'Old.Doing = Start_Wanted
-          then Channel_Count (Contents'Old.Channel)
-          else No_Channel);
+               (if Is_Complete (Item) then Scan_Complete
+                else Successor (Item.Current)))
+        else Item = Item'Old
+          and then Next =
+            (if Contents'Old.Doing = Start_Wanted
+             then Successor (Contents'Old.Channel)
+             else Nothing_Wanted))
+       and then Contents.Doing /= Start_Wanted;
 
    procedure Begin_Scan
      (Contents : in out Registers;
@@ -135,21 +134,26 @@ package body URV.AD_Boards with SPARK_Mode is
      (Contents : in out Registers;
       Item     : in out Scan;
       Value    : Word;
-      Next     : out Next_Step;
-      Channel  : out Channel_Count)
+      Next     : out Successor)
    is
       Interrupt : Boolean;
       Wanted    : Boolean;
+      Step      : Next_Step;
       Number    : Channel_Number;
    begin
       Finish (Contents, Value, Interrupt);
       if Interrupt then
-         Take_Value (Contents, Item, Next);
+         Take_Value (Contents, Item, Step);
       else
-         Next := Discard;
+         Step := Discard;
       end if;
       Take_Start (Contents, Wanted, Number);
-      Channel := (if Wanted then Channel_Count (Number) else No_Channel);
+      Next :=
+        (case Step is
+            when Send_Words              => Scan_Complete,
+            when Ignore                  => Not_Expected,
+            when Start_Channel | Discard =>
+              (if Wanted then Successor (Number) else Nothing_Wanted));
    end Pass_Value;
 
    protected body Board is
@@ -184,12 +188,9 @@ package body URV.AD_Boards with SPARK_Mode is
          Finish (Contents, Value, Interrupt);
       end Finish;
 
-      procedure Pass_Value
-        (Value   : Word;
-         Next    : out Next_Step;
-         Channel : out Channel_Count) is
+      procedure Pass_Value (Value : Word; Next : out Successor) is
       begin
-         Pass_Value (Contents, Item, Value, Next, Channel);
+         Pass_Value (Contents, Item, Value, Next);
       end Pass_Value;
 
    end Board;

@@ -42,12 +42,8 @@ package URV.AD_Boards with SPARK_Mode is
       procedure Finish (Value : Word; Interrupt : out Boolean);
 
       --  Both sides on a machine whose own interrupt ends the conversion: the
-      --  same as Finish, Take_Value if it interrupts, and Take_Start. Channel
-      --  is to be converted next, or No_Channel.
-      procedure Pass_Value
-        (Value   : Word;
-         Next    : out Next_Step;
-         Channel : out Channel_Count);
+      --  same as Finish, Take_Value if it interrupts, and Take_Start.
+      procedure Pass_Value (Value : Word; Next : out Successor);
 
    private
       Contents : Registers;

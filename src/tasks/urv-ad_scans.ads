@@ -54,6 +54,15 @@ package URV.AD_Scans with Pure, SPARK_Mode is
       Ignore,          --  the interrupt was not expected
       Discard);        --  the conversion was abandoned: no interrupt
 
+   --  The channel to convert after a conversion whose value was passed on, or
+   --  one of three reasons for none.
+   type Successor is range 0 .. Channel_Words'Length + 2;
+   subtype Next_Channel is Successor range 0 .. Channel_Words'Length - 1;
+
+   Nothing_Wanted : constant Successor := Channel_Words'Length;
+   Scan_Complete  : constant Successor := Channel_Words'Length + 1;
+   Not_Expected   : constant Successor := Channel_Words'Length + 2;
+
    --  The word of the current channel has been converted.
    procedure Store
      (This  : in out Scan;

@@ -30,8 +30,11 @@ package URV.ADINT_Handler with SPARK_Mode is
    with Global => (In_Out => (AD_Board, ADINT_Variable, Errors));
 
    --  The same on a machine whose own interrupt ends the conversion with a
-   --  Value. Channel is to be converted next, or No_Channel.
-   procedure Handle_Value (Value : Word; Channel : out Channel_Count)
-   with Global => (In_Out => (AD_Board, ADINT_Variable, Errors));
+   --  Value: it passes the value to AD_Board, and calls this for a successor
+   --  that is not a channel.
+   procedure Handle_End (Next : Successor; Value : Word)
+   with
+     Global => (Input => AD_Board, In_Out => (ADINT_Variable, Errors)),
+     Pre    => Next not in Next_Channel;
 
 end URV.ADINT_Handler;

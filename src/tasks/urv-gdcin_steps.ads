@@ -4,9 +4,10 @@
 --  TELIN_variable, which fragment of the aircraft's error log it carries, and
 --  what is reported (report, 5.5; GDI-1, D-11, D-14, EXT-2, SAF-7). The task
 --  receives, calls these functions, sends and reports. Each is an expression
---  function: its text is its contract. Messages have their spare bits until
---  For_CORE (FTI-12).
+--  function: its text is its contract; a procedure in place has it as its
+--  postcondition. Messages have their spare bits until For_CORE (FTI-12).
 
+with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
 with URV.Log_Pieces; use URV.Log_Pieces;
 with URV.Routing;    use URV.Routing;
@@ -27,11 +28,26 @@ package URV.GDCIN_Steps with Pure, SPARK_Mode is
       else As_Old (Item))
    with Global => null;
 
+   --  The same in place, if the block is of this kind.
+   procedure Pass_On (Item : in out Downlink_Buffer; Fresh : Boolean)
+   with
+     Global => null,
+     Pre    => not Is_Other_Kind (Item),
+     Post   => Item = Passed_On (Item'Old, Fresh, Last => Item'Old);
+
    --  The message that the task keeps: without the log's fragment.
    function To_Keep (Message : Downlink_Buffer) return Downlink_Buffer is
      ((Message with delta
          Error_Status => Without_Piece (Message (Error_Status))))
    with Global => null;
+
+   --  The same in place. Next is the fragment.
+   procedure Take_Off (Message : in out Downlink_Buffer; Next : out Piece)
+   with
+     Global => null,
+     Post   =>
+       Message = To_Keep (Message'Old)
+       and then Next = Piece_Of (Message'Old (Error_Status));
 
    --  The message for CORE: the sensors and their frame.
    function For_CORE (Kept : Downlink_Buffer) return Framed_Downlink is
@@ -81,5 +97,18 @@ package URV.GDCIN_Steps with Pure, SPARK_Mode is
       then First_Out_Of_Range (Spare_Bits.Sensors_In (Item))
       else 0)
    with Global => null;
+
+   --  Whether there is one. A block with spare bits has none.
+   function Has_Out_Of_Range
+     (Item : Downlink_Buffer; Fresh : Boolean) return Boolean
+   is
+     (Fresh
+      and then not Is_Other_Kind (Item)
+      and then not Spare_Bits.Is_Marked (Item)
+      and then First_Out_Of_Range (Item) > 0)
+   with
+     Global => null,
+     Post   =>
+       Has_Out_Of_Range'Result = (Place_Out_Of_Range (Item, Fresh) > 0);
 
 end URV.GDCIN_Steps;

@@ -8,18 +8,28 @@ with URV.Routing;      use URV.Routing;
 
 package body URV.GDCOUT_Task with SPARK_Mode is
 
+   Unknown : constant Unknown_Count := First_Unknown_Command (Codes);
+
+   --  The message of an image, to all consumers.
+   procedure Pass_On (Image : AD_Image; Fresh : Boolean);
+
    procedure Run_Transaction is
+      Image : AD_Image;
+      Fresh : Boolean;
+   begin
+      AD_Variable.Receive (Image, Fresh);
+      Pass_On (Image, Fresh);
+   end Run_Transaction;
+
+   procedure Pass_On (Image : AD_Image; Fresh : Boolean) is
       Bits       : constant Word := Node_Status.Contents;
-      Unknown    : constant Unknown_Count := First_Unknown_Command (Codes);
-      Image      : AD_Image;
-      Message    : Uplink_Buffer;
+      Message    : Uplink_Buffer := Commands_Of (Image, Codes);
       Order      : Uplink_Buffer;
-      Fresh      : Boolean;
       Is_Ordered : Boolean;
       Success    : Boolean;
    begin
-      AD_Variable.Receive (Image, Fresh);
-      Message := Message_Of (Image, Fresh, Codes, Bits);
+      Mark (Message, (if Fresh then Bits else Bits or Stale_Data));
+      pragma Assert (Message = Message_Of (Image, Fresh, Codes, Bits));
       if Unknown > 0 then
          Errors.Report (Unknown_Code, Codes (Channel (Unknown - 1)));
       end if;
@@ -36,6 +46,6 @@ package body URV.GDCOUT_Task with SPARK_Mode is
       if not Success then
          Errors.Report (Output_Not_Consumed, 0);
       end if;
-   end Run_Transaction;
+   end Pass_On;
 
 end URV.GDCOUT_Task;

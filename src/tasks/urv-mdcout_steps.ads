@@ -4,7 +4,7 @@
 --  image of the converter, its frame, and what of both goes down (report, 4.7;
 --  MDO-1, D-1, D-11, D-14, TST-4, SAF-7, FTI-12). The task receives, calls
 --  these functions, sends and reports. Each is an expression function: its
---  text is its contract.
+--  text is its contract; a procedure in place has it as its postcondition.
 
 with Devices.PWM_Board; use Devices.PWM_Board;
 with URVOS;             use URVOS;
@@ -75,6 +75,13 @@ package URV.MDCOUT_Steps with Pure, SPARK_Mode is
             Error_Status => With_Piece (Message (Error_Status), Next)),
          Frame))
    with Global => null;
+
+   --  The same in place.
+   procedure Add_Frame
+     (Message : in out Downlink_Buffer; Frame : Frame_Words; Next : Piece)
+   with
+     Global => null,
+     Post   => Message = For_Link (Message'Old, Frame, Next);
 
    --  A new sensor that is out of range goes down limited, and is reported by
    --  its type code.

@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with URV.CORE_Layout; use URV.CORE_Layout;
+
 package body URV.Shared_CORE_Memory with SPARK_Mode is
 
    protected body Board is
@@ -42,6 +44,28 @@ package body URV.Shared_CORE_Memory with SPARK_Mode is
          Present.Downlink := Words;
          Present.Frame := Frame;
       end Write_Downlink;
+
+      procedure Store_Uplink (Words : Uplink_Buffer; Is_Stored : out Boolean)
+      is
+      begin
+         Is_Stored := Is_Usual (Present.Uplink_Codes);
+         if Is_Stored then
+            Present.Uplink := Words;
+         end if;
+      end Store_Uplink;
+
+      procedure Store_Downlink
+        (Words     : Downlink_Buffer;
+         Frame     : Frame_Words;
+         Is_Stored : out Boolean)
+      is
+      begin
+         Is_Stored := Is_Usual (Present.Downlink_Codes);
+         if Is_Stored then
+            Present.Downlink := Words;
+            Present.Frame := Frame;
+         end if;
+      end Store_Downlink;
 
       procedure Write_Status (Words : Status_Array) is
       begin

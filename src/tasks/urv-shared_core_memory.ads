@@ -32,6 +32,16 @@ package URV.Shared_CORE_Memory with SPARK_Mode is
       --  The words and their frame, at one instant.
       procedure Write_Downlink (Words : Downlink_Buffer; Frame : Frame_Words);
 
+      --  The same if the area's codes are the usual ones: each word then has
+      --  its own place. Otherwise nothing is written.
+
+      procedure Store_Uplink (Words : Uplink_Buffer; Is_Stored : out Boolean);
+
+      procedure Store_Downlink
+        (Words     : Downlink_Buffer;
+         Frame     : Frame_Words;
+         Is_Stored : out Boolean);
+
       --  Writes the given words of the status area at one instant; the others
       --  are unchanged.
       procedure Write_Status (Words : Status_Array);

@@ -22,7 +22,7 @@ package body Bare_GSC is
       Errors          => GSC.Errors,
       Node            => GSC.Bare_Metal,
       Begin_Start     => Begin_Start,
-      Handle_Value    => GSC.ADINT.Handle_Value);
+      Handle_End      => GSC.ADINT.Handle_End);
 
    procedure Start is
    begin

@@ -71,7 +71,7 @@ package body Bare_MCS is
       Errors          => MCS.Errors,
       Node            => MCS.Bare_Metal,
       Begin_Start     => Begin_Start,
-      Handle_Value    => MCS.ADINT.Handle_Value,
+      Handle_End      => MCS.ADINT.Handle_End,
       Tick_Boards     => Tick_Boards,
       Write_Outputs   => Write_Outputs,
       Set_Laws        => Set_Laws,

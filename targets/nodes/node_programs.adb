@@ -68,12 +68,14 @@ package body Node_Programs is
    end On_Tick;
 
    procedure On_Converted (Value : Unsigned_32) is
-      Channel : Channel_Count;
+      Item : constant Word := Word (Value and 16#FFF#);
+      Next : Successor;
    begin
-      Handle_Value (Word (Value and 16#FFF#), Channel);
-      if Channel /= No_Channel then
-         Targets.Convert (Channel_Number (Channel));
+      AD_Board.Pass_Value (Item, Next);
+      if Next in Next_Channel then
+         Targets.Convert (Channel_Number (Next));
       else
+         Handle_End (Next, Item);
          Scan_Ended := True;
          Awake := Targets.Up;
       end if;

@@ -27,7 +27,7 @@ generic
    with procedure Begin_Start (Condition : Start_Condition);
 
    --  See URV.ADINT_Handler.
-   with procedure Handle_Value (Value : Word; Channel : out Channel_Count);
+   with procedure Handle_End (Next : Successor; Value : Word);
 
    --  A clock tick of the boards that have a clock, and the output of the
    --  words that the tasks have written.
