@@ -49,8 +49,8 @@ START_HEADING_DEG = 90.0
 BELLY_FT = 0.8
 HALF_SPAN_FT = 7.0
 
-# The longest step of JSBSim, in us: evidence/aircraft_steps.py shows that it is
-# short enough.
+# The longest step of JSBSim, in us. Half of it moves no attitude, airspeed or
+# altitude by a bit (tests/simulation/test_aircraft.py).
 LONGEST_STEP_US = 4000
 
 # Best power of the engine at this height. The pilot has no such lever.

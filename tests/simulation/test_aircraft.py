@@ -13,9 +13,9 @@ from types import SimpleNamespace
 import pytest
 from conftest import FRAME_US, NUMBERS, ROOT, TICK_US
 
-sys.path[:0] = [str(ROOT / "sim" / "jsbsim"), str(ROOT / "evidence")]
+sys.path[:0] = [str(ROOT / "sim" / "jsbsim")]
 
-import aircraft_steps  # noqa: E402
+import flight_numbers  # noqa: E402
 import plant  # noqa: E402
 
 pytest.importorskip("jsbsim", reason="make fly installs JSBSim")
@@ -104,18 +104,43 @@ def test_a_step_ends_with_the_frame_and_the_scan_and_is_at_most_4_ms(
     assert plant.Times(tick, frame, scan, frame).step == step
 
 
+def flown_in_steps(step_us, monkeypatch):
+    """The sensors in each frame of 4 s in which pairs of servos move at once,
+    in steps of this length. A tick of 500 us has room for all of them."""
+    monkeypatch.setattr(plant, "LONGEST_STEP_US", step_us)
+    frame = FRAME_US // 500
+    aircraft = plant.Aircraft(
+        SERVOS.items(), SENSORS.items(), (), (),
+        plant.Times(tick=500, frame=frame, scan=frame, shown=frame))
+    rest = dict.fromkeys(SERVOS, 0.0) | {"throttle": 50.0}
+    rows = []
+    for moved, degrees in (("aileron", 6.0), ("elevator", 3.0),
+                           ("rudder", 5.0), ("flap_1", 5.0), ("", 0.0)):
+        names = [name for name in SERVOS if moved and moved in name]
+        for size, frames in ((degrees, 8), (-degrees, 8), (0.0, 24)):
+            commands = rest | {name: size for name in names}
+            rows += [dict(zip(SENSORS, aircraft.fly(
+                list(commands.values()))[0])) for _ in range(frames)]
+    return rows
+
+
 def test_where_it_is_stays_within_a_bit_of_what_half_the_step_gives(
         monkeypatch):
-    monkeypatch.setattr(aircraft_steps, "FRAMES", 200)
-    monkeypatch.setattr(plant, "LONGEST_STEP_US", plant.LONGEST_STEP_US)
     longest = plant.LONGEST_STEP_US
-    found = dict(zip(aircraft_steps.SHOWN, aircraft_steps.apart(
-        aircraft_steps.flown(longest), aircraft_steps.flown(longest // 2)),
-        strict=True))
+    whole, half = (flown_in_steps(step, monkeypatch)
+                   for step in (longest, longest // 2))
+    bits = {item["name"]: float(item["per_word"])
+            for item in flight_numbers.ITEMS
+            if item["buffer"] == "downlink" and item["unit"]}
+
+    def apart(name):
+        return max(abs(row[name] - other[name])
+                   for row, other in zip(whole, half)) / bits[name]
+
     for name in ("roll_attitude", "pitch_attitude", "airspeed", "altitude"):
-        assert found[name] < 1, name
+        assert apart(name) < 1, name
     # The servos answer a millisecond later; 6 degrees are 300 bits.
-    assert 3 < found["left_aileron"] < 30
+    assert 3 < apart("left_aileron") < 30
 
 
 def test_what_is_shown_may_be_of_a_moment_within_a_step():
@@ -370,16 +395,3 @@ def test_it_answers_each_frame_with_what_was_asked_for():
 ])
 def test_what_it_does_not_have_it_refuses(item, answer):
     assert serve(ITEMS + item + b"\n" if item else ITEMS) == answer
-
-
-# --- the table of steps ----------------------------------------------------
-
-def test_sim3_each_pair_of_servos_moves_out_back_and_rests():
-    out, back, rest = (aircraft_steps.commands(frame)
-                       for frame in (0, aircraft_steps.OUT,
-                                     aircraft_steps.BACK))
-    assert (out["left_aileron"], back["right_aileron"],
-            rest["left_aileron"]) == (6.0, -6.0, 0.0)
-    assert rest == aircraft_steps.TRIM
-    second = aircraft_steps.commands(aircraft_steps.TURN)
-    assert (second["left_elevator"], second["left_aileron"]) == (3.0, 0.0)
