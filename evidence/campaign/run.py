@@ -10,9 +10,8 @@
 With --format 2 every flight is sealed (docs/security.md). With --only GROUPS
 only the shards of these groups are flown (cases.py).
 
-Results are left in campaign/, each as it comes: a run that was broken off goes
-on where it stopped, as long as program and scripts are the same. Exit status:
-0 when every check of every shard held.
+Results are left in campaign/. Exit status: 0 when every check of every shard
+held.
 """
 
 import os
@@ -28,7 +27,6 @@ if __name__ == "__main__" and not sys.flags.isolated:
 import argparse  # noqa: E402
 import concurrent.futures  # noqa: E402
 import csv  # noqa: E402
-import hashlib  # noqa: E402
 import json  # noqa: E402
 import math  # noqa: E402
 import signal  # noqa: E402
@@ -52,11 +50,6 @@ from flight_numbers import FRAMES_PER_S, NUMBERS  # noqa: E402
 
 PROGRAM = ROOT / "bin" / "urv_sim"
 RESULTS = ROOT / "campaign"
-SHARDS = "shards.jsonl"
-
-# The files whose change makes earlier results worthless.
-PARTS = ("bin/urv_sim", "evidence/campaign", "evidence/safety",
-         "evidence/flight_numbers.py")
 
 
 def write_key(path):
@@ -350,45 +343,10 @@ def report(results, size, seconds, message_format=1):
     return 1 if failures else 0
 
 
-def flown_before(program, message_format):
-    """The shards, by name, that this program and these scripts have flown in
-    this format. A last line may have been broken off."""
-    path = RESULTS / SHARDS
-    found = {}
-    if path.exists():
-        for line in path.read_text("utf-8").splitlines():
-            try:
-                result = json.loads(line)
-            except ValueError:
-                continue
-            if (result.get("program"), result.get("format")) == (
-                    program, message_format):
-                found[result["shard"]] = result
-    return found
-
-
-def keep(result, program, message_format):
-    """Begin a new line, even after an incomplete one."""
-    from urv import whole_files
-
-    with open(RESULTS / SHARDS, "a", encoding="utf-8",
-              opener=whole_files.no_link) as shards:
-        shards.write("\n" + json.dumps(
-            result | {"program": program, "format": message_format}))
-
-
 def planned(size, only=None):
     """The names of the shards, of some groups only if so wanted."""
     return [name for name in cases.plan(size)
             if not only or name.split("/")[0] in only]
-
-
-def hash_of_parts():
-    files = sorted(file for part in PARTS for file in (
-        [ROOT / part] if (ROOT / part).is_file()
-        else (ROOT / part).glob("*.py")))
-    return hashlib.sha256(b"".join(
-        hashlib.sha256(file.read_bytes()).digest() for file in files)).hexdigest()
 
 
 def result_of(name, message_format):
@@ -400,37 +358,23 @@ def result_of(name, message_format):
             "failures": [f"{name}: no result: {fault!r}"]}
 
 
-def ignore_interrupt():
-    """Ctrl-C is for the process that gives out the shards."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
 def run_campaign(size, jobs, message_format=1, only=None):
     from urv import progress
 
-    RESULTS.mkdir(exist_ok=True)
     names = planned(size, only)
     began = time.monotonic()
-    program = hash_of_parts()
-    flown = flown_before(program, message_format)
-    results = {name: flown[name] for name in names if name in flown}
-    if results:
-        print(f"{len(results)} of {len(names)} shards were flown before")
+    results = {}
     with progress.bar("flying") as told, \
-            concurrent.futures.ProcessPoolExecutor(
-                jobs, initializer=ignore_interrupt) as pool:
+            concurrent.futures.ProcessPoolExecutor(jobs) as pool:
         wanted = [pool.submit(result_of, name, message_format)
-                  for name in names if name not in flown]
+                  for name in names]
         try:
             for done in concurrent.futures.as_completed(wanted):
                 result = done.result()
-                keep(result, program, message_format)
                 results[result["shard"]] = result
                 told(SimpleNamespace(size=len(names), position=len(results)))
         except KeyboardInterrupt:
             pool.shutdown(wait=False, cancel_futures=True)
-            print(f"{size}: broken off after {len(results)} of {len(names)}"
-                  " shards; it goes on from here next time")
             return 130
     return report([results[name] for name in names], size,
                   time.monotonic() - began, message_format)
@@ -460,7 +404,7 @@ def main():
     if given.size == "shard":
         print(json.dumps(run_shard(given.name, given.format)), flush=True)
         return 0
-    # Whoever ends it breaks it off as Ctrl-C does.
+    # A termination ends the workers, too, as Ctrl-C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     only = given.only.split(",") if given.only else None
     unknown = set(only or ()) - {
@@ -471,7 +415,7 @@ def main():
     try:
         return run_campaign(given.size, given.jobs, given.format, only)
     except OSError as fault:
-        print(f"{given.size}: {fault.filename or RESULTS / SHARDS}:"
+        print(f"{given.size}: {fault.filename or RESULTS}:"
               f" {faults.reason(fault)}", file=sys.stderr)
         return 1
 
