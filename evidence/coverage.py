@@ -18,8 +18,8 @@ Each line that is not reached and each decision that goes one way only is
 listed in docs/evidence/coverage.md with its reason; a text that ends in "..."
 is that of all lines that begin so. One that is not there fails, and so does
 one that is there without need, but for those that the machine's load decides:
-their reason begins with "Sometimes". The report as HTML is in coverage/; with
---renew the result is written into docs/evidence/coverage.md.
+their reason begins with "Sometimes". With --renew the table of the result is
+written into docs/evidence/coverage.md.
 """
 
 import concurrent.futures
@@ -37,8 +37,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 EXPLAINED = ROOT / "docs" / "evidence" / "coverage.md"
-HTML = ROOT / "coverage"
-COUNTED = ROOT / "obj" / "coverage.json"
+PLACE = ROOT / "coverage"
 
 LEAST_LINES = 98.0
 
@@ -131,8 +130,8 @@ def run_unit_tests(program, choice):
 def run_pytest(built, files):
     """With these programs, copied to where they find the aircraft: it is
     beside the folder that they are in."""
-    shutil.copytree(built, HTML, dirs_exist_ok=True)
-    programs = {"URV_SIM": str(HTML / "urv_sim"), "URV_PARTITIONS": str(HTML)}
+    shutil.copytree(built, PLACE, dirs_exist_ok=True)
+    programs = {"URV_SIM": str(PLACE / "urv_sim"), "URV_PARTITIONS": str(PLACE)}
     run(sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider",
         *files, env={**os.environ, **programs})
 
@@ -369,40 +368,6 @@ WHAT = {"entry": "subprograms entered", "line": "lines reached",
         "decision": "lines with a decision, each operand both ways"}
 
 
-# --- HTML ------------------------------------------------------------------
-
-def tracefile(sources):
-    """The merged counts, in gcovr's format."""
-    files = []
-    for name, source in sorted(sources.items()):
-        lines = []
-        for number, count in sorted(source.lines.items()):
-            ways = []
-            if decides(name, number):
-                ways = max(source.branches[number].values(),
-                           key=lambda ways: sum(map(bool, ways)), default=[])
-            lines.append({
-                "line_number": number, "count": count,
-                "branches": [{"branchno": place, "count": way,
-                              "throw": False, "fallthrough": place == 0}
-                             for place, way in enumerate(ways)],
-            })
-        functions = [
-            {"name": label, "lineno": start, "execution_count": count}
-            for start, (label, count) in sorted(source.subprograms.items())]
-        files.append({"file": name, "lines": lines, "functions": functions})
-    return {"gcovr/format_version": "0.15", "files": files}
-
-
-def write_html(sources):
-    COUNTED.write_text(json.dumps(tracefile(sources)), encoding="utf-8")
-    shutil.rmtree(HTML, ignore_errors=True)
-    HTML.mkdir()
-    run(sys.executable, "-m", "gcovr", "--root", ".",
-        "--add-tracefile", COUNTED, "--html-details", HTML / "index.html",
-        "--html-title", "URV: what the tests reach")
-
-
 def renew(table):
     page = EXPLAINED.read_text(encoding="utf-8")
     begin, end = "<!-- make -C evidence coverage -->\n", "<!-- end -->\n"
@@ -423,7 +388,6 @@ def main(arguments):
         for program in PROGRAMS:
             build_and_run(program)
     sources = merged()
-    write_html(sources)
     wrong = judge(sources)
     table = result(sources)
     print(table, end="")

@@ -84,8 +84,7 @@ case $target in
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    coverage)
           packages="$build $aunit $gcov python3 python3-venv"
-          requirements="sim/jsbsim/requirements.txt tests/requirements.txt
-                        evidence/coverage-requirements.txt" ;;
+          requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;
    independence)
           packages="$build $aunit python3 python3-venv"
           requirements="sim/jsbsim/requirements.txt tests/requirements.txt" ;;

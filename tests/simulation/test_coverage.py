@@ -110,7 +110,6 @@ def test_what_is_wrong_is_the_exit_status(
     source = coverage.Source()
     source.add(counted({**REACHED, 6: reached}), decisions=True)
     monkeypatch.setattr(coverage, "merged", lambda: {NAME: source})
-    monkeypatch.setattr(coverage, "write_html", lambda _: None)
     assert bool(coverage.main(["check"])) == status
     assert coverage.main(["chekc"]) == 2
     assert coverage.main(["run", "--again"]) == 2
