@@ -43,7 +43,7 @@ def read(file):
 
 
 class Progress:
-    """How far it has come, on one line of a terminal."""
+    """A line for each mutant: its result, and how many are left."""
 
     def __init__(self, total):
         self.total = total
@@ -58,12 +58,6 @@ class Progress:
             self.alive += fate in (PASSED, SURVIVED)
             seconds = time.monotonic() - self.begun
             left = seconds / self.done * (self.total - self.done)
-            filled = 30 * self.done // self.total
-            bar = "#" * filled + "." * (30 - filled)
-            line = (f"[{bar}] {self.done}/{self.total}, {self.alive} "
-                    f"alive, {left / 60:.0f} min left")
-            if sys.stdout.isatty():
-                print(f"\r{line} ", end="", flush=True)
-            else:
-                print(f"{line}; {Path(mutant.path).name}:{mutant.line} "
-                      f"{fate}", flush=True)
+            print(f"{self.done}/{self.total}, {self.alive} alive, "
+                  f"{left / 60:.0f} min left; {Path(mutant.path).name}:"
+                  f"{mutant.line} {fate}", flush=True)

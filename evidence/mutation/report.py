@@ -1,18 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The results of the mutants: the table of docs/evidence/mutation.md, and its
-check.
-
-  table   writes the table into docs/evidence/mutation.md
-  check   the same table must be there; every survivor is judged, and nothing
-          else is
+"""Writes the table of the mutants' results into docs/evidence/mutation.md, and
+checks that every survivor is judged, and nothing else is.
 
 A survivor is judged in evidence/mutation/equivalent.toml: by its name and change,
 with the reason why the changed software does the same.
 Exit status: 0 all well; 1 not, each reason on a line of its own.
 """
 
-import argparse
 import sys
 import tomllib
 from collections import Counter
@@ -115,32 +110,21 @@ def problems(results, judgements, total, goal):
         yield f"the score is {score(total):.1f}%, less than {goal}%"
 
 
-def show(command):
-    """Write or check the table; return the failures."""
+def main():
     today = {mutant.name for mutant in mutants.Code(fates.ROOT).mutants()}
     results = [result for name, result in fates.read(fates.RESULTS).items()
                if name in today]
     judgements = judged(fates.JUDGED)
     text, total = table(results, set(judgements))
     head, _, rest = DOCUMENT.read_text(encoding="utf-8").partition(BEGIN)
-    there, _, tail = rest.partition(END)
+    _, _, tail = rest.partition(END)
+    DOCUMENT.write_text(head + BEGIN + text + END + tail, encoding="utf-8")
     found = list(problems(results, judgements, total, GOAL))
-    if command == "table":
-        DOCUMENT.write_text(head + BEGIN + text + END + tail,
-                            encoding="utf-8")
-    elif there != text:
-        found.append("docs/evidence/mutation.md: not what these results give")
     for problem in found:
         print(f"mutation: {problem}")
     print(f"mutation: {sum(total.values())} mutants, "
           f"score {int(score(total) * 10) / 10}%")
-    return found
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("command", choices=("table", "check"))
-    return 1 if show(parser.parse_args().command) else 0
+    return 1 if found else 0
 
 
 if __name__ == "__main__":

@@ -78,7 +78,7 @@ def run_stage(stage, wanted, digests, jobs):
     def leave(*_):
         for worker in workers:
             worker.stop()
-        print("\nmutation: stopped; it goes on from here next time")
+        print("mutation: stopped; it goes on from here next time")
         os._exit(130)
 
     for number in (signal.SIGINT, signal.SIGTERM):
@@ -100,7 +100,6 @@ def run_stage(stage, wanted, digests, jobs):
         thread.start()
     for thread in threads:
         thread.join()
-    print()
     return 0
 
 
