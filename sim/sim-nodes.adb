@@ -106,7 +106,7 @@ package body Sim.Nodes is
    procedure Look_At_Frame
      (Which   : Node;
       Ticks   : URVOS.Frame_Clocks.Tick_Count;
-      Request : out URVOS.Frame_Clocks.Frame_Request) is
+      Request : in out URVOS.Frame_Clocks.Frame_Request) is
    begin
       case Which is
          when Ground   => URVOS.Usual_Frames (Ticks, Request);

@@ -112,7 +112,7 @@ package Sim.Nodes is
    procedure Look_At_Frame
      (Which   : Node;
       Ticks   : URVOS.Frame_Clocks.Tick_Count;
-      Request : out URVOS.Frame_Clocks.Frame_Request);
+      Request : in out URVOS.Frame_Clocks.Frame_Request);
 
    --  The aircraft's state of being in step.
    function Lock return URVOS.Frame_Locks.Lock_State;

@@ -39,9 +39,9 @@ case $machine in
       # files .rep have the representation of the types (BRD-4).
       switches="$processor -fno-pie -fno-store-merging"
       listing=-gnatR1s
-      # Loops over all task control blocks are unrolled: an index costs more
-      # than the work.
-      fast="-O3 --param max-completely-peeled-insns=1000
+      # Short loops over all task control blocks are unrolled: an index costs
+      # more than the work.
+      fast="-O3 --param max-completely-peeled-insns=200
             --param max-peel-branches=100"
       board="telemetry-boards-dual_ported telemetry_board_program"
       folders="targets/mc68000 targets/mc68000/musashi

@@ -68,6 +68,7 @@ package URVOS.Frame_Clocks with Pure, SPARK_Mode is
    --  The same in place. A frame of the usual length needs no division.
    procedure Take_Tick (Clock : in out Frame_Clock; Request : Frame_Request)
    with
+     Inline,
      Global => null,
      Post   => Clock = Ticked (Clock'Old, Request);
 

@@ -4,8 +4,9 @@
 
 with URVOS.Frame_Clocks; use URVOS.Frame_Clocks;
 
-procedure URVOS.Usual_Frames (Ticks : Tick_Count; Request : out Frame_Request)
+procedure URVOS.Usual_Frames
+  (Ticks : Tick_Count; Request : in out Frame_Request)
 with
   SPARK_Mode,
   Global => null,
-  Post   => Request = No_Request;
+  Post   => Request = (Request'Old with delta Length => Usual_Length);

@@ -177,7 +177,7 @@ package GSC with SPARK_Mode is
    --  For the kernel: sets the time of reports, and reports an overrun.
 
    procedure Tell_Time (Now : Clock_Tick)
-   with Global => (In_Out => Errors);
+   with Inline, Global => (In_Out => Errors);
 
    procedure Report_Overrun (Id : Task_Id)
    with Global => (In_Out => Errors);

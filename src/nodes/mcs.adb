@@ -11,19 +11,32 @@ with URV.Test_Inputs;
 
 package body MCS with SPARK_Mode is
 
-   procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request) is
-      Is_Locked : constant Boolean := Frame_Lock.Is_In_Use;
+   --  Look_At_Frame while the lock is in use.
+   procedure Ask_Lock (Ticks : Tick_Count; Request : out Frame_Request)
+   with
+     No_Inline,
+     Global => (Input => Telemetry_Board, In_Out => Frame_Lock);
+
+   procedure Ask_Lock (Ticks : Tick_Count; Request : out Frame_Request) is
       Available : Boolean;
    begin
-      if not Is_Locked then
-         Request := No_Request;
-         return;
-      end if;
       if Ticks > 0 then
          Available := Telemetry_Board.Has_Received;
          Frame_Lock.Tick (Available);
       end if;
       Request := Frame_Lock.Request;
+   end Ask_Lock;
+
+   procedure Look_At_Frame
+     (Ticks : Tick_Count; Request : in out Frame_Request)
+   is
+      Is_Locked : constant Boolean := Frame_Lock.Is_In_Use;
+   begin
+      if Is_Locked then
+         Ask_Lock (Ticks, Request);
+      else
+         Request.Length := Usual_Length;
+      end if;
    end Look_At_Frame;
 
    procedure Run_Step

@@ -240,13 +240,14 @@ package MCS with SPARK_Mode is
 
    --  For the clock. Ticks is the number of ticks since the last call, at most
    --  one. Request is the length requested for the present frame (FRM-6).
-   procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request)
-   with Global => (Input => Telemetry_Board, In_Out => Frame_Lock);
+   procedure Look_At_Frame
+     (Ticks : Tick_Count; Request : in out Frame_Request)
+   with Inline, Global => (Input => Telemetry_Board, In_Out => Frame_Lock);
 
    --  For the kernel: sets the time of reports, and reports an overrun.
 
    procedure Tell_Time (Now : Clock_Tick)
-   with Global => (In_Out => Errors);
+   with Inline, Global => (In_Out => Errors);
 
    procedure Report_Overrun (Id : Task_Id)
    with Global => (In_Out => Errors);

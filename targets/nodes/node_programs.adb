@@ -83,12 +83,10 @@ package body Node_Programs is
 
    procedure Serve is
    begin
-      while Node.Has_Work loop
-         Node.Serve;
-         Write_Outputs;
-         Serve_Converter;
-         Line.Hurry;
-      end loop;
+      Node.Serve;
+      Write_Outputs;
+      Serve_Converter;
+      Line.Hurry;
    end Serve;
 
    procedure Report_RAM (Where : Word_Address) is

@@ -65,7 +65,8 @@ package body Bare_Nodes_Tests is
 
    procedure Report_Overrun (Who : Task_Id);
 
-   procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request);
+   procedure Look_At_Frame
+     (Ticks : Tick_Count; Request : in out Frame_Request);
 
    package Software is new URVOS.Node_Software
      (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun, Look_At_Frame);
@@ -128,7 +129,8 @@ package body Bare_Nodes_Tests is
       Overruns_Seen := Overruns_Seen + 1;
    end Report_Overrun;
 
-   procedure Look_At_Frame (Ticks : Tick_Count; Request : out Frame_Request)
+   procedure Look_At_Frame
+     (Ticks : Tick_Count; Request : in out Frame_Request)
    is
    begin
       Expect_Number ("ticks told at once", Ticks, 1);

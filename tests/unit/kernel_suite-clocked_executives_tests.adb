@@ -21,6 +21,7 @@ package body Clocked_Executives_Tests is
    procedure Exits_In_Time;
    procedure Next_Releases;
    procedure Sleeps;
+   procedure Any_Minor_Frame;
    procedure Counts_Stay;
    procedure Clock_Runs_Back;
    procedure Idle;
@@ -40,7 +41,8 @@ package body Clocked_Executives_Tests is
 
    procedure Report_Overrun (Who : Task_Id);
 
-   procedure Read_Clock (Now : in out Clock_Tick);
+   procedure Read_Clock
+     (Now : in out Clock_Tick; Has_Moved : in out Boolean);
 
    package Executive is
      new URVOS.Executives (Step, Report_Overrun, Read_Clock);
@@ -106,9 +108,11 @@ package body Clocked_Executives_Tests is
       Told (Reports) := Who;
    end Report_Overrun;
 
-   procedure Read_Clock (Now : in out Clock_Tick) is
+   procedure Read_Clock
+     (Now : in out Clock_Tick; Has_Moved : in out Boolean) is
    begin
       Now := Time;
+      Has_Moved := True;
    end Read_Clock;
 
    procedure Begin_Pair is
@@ -347,6 +351,44 @@ package body Clocked_Executives_Tests is
       end loop;
    end Sleeps;
 
+   procedure Any_Minor_Frame is
+      Due : Clock_Tick := 0;
+   begin
+      --  The first task is released 7 ticks after each release, in another
+      --  minor frame each time. The second keeps to minor frame 4.
+      First_Call := (Sleep_Call, Until_Tick => 7, others => <>);
+      Time := 0;
+      Executive.Start (Pair (0), 0);
+      Run (First, At_Tick => 0);
+      Run (Second, At_Tick => 0);
+      for Now in Clock_Tick range 1 .. 100 loop
+         Wake (Now);
+         if Now = Due + 7 then
+            Due := Now;
+            First_Call.Until_Tick := Due + 7;
+            Run (First, At_Tick => Now);
+         end if;
+         if Now > 10 and then Now mod 10 = 4 then
+            Run (Second, At_Tick => Now);
+         end if;
+         Expect_Idle ("between two releases");
+      end loop;
+
+      --  Two tasks that are loaded before they start.
+      Executive.Start
+        (((First, 123, 9), (Second, 125, 8), others => Null_Header), 100);
+      First_Call.Until_Tick := 200;
+      for Now in Clock_Tick range 101 .. 125 loop
+         Wake (Now);
+         if Now = 123 then
+            Run (First, At_Tick => 123);
+         elsif Now = 125 then
+            Run (Second, At_Tick => 125);
+         end if;
+         Expect_Idle ("before and after a start time");
+      end loop;
+   end Any_Minor_Frame;
+
    procedure Counts_Stay is
       Before : Count;
    begin
@@ -441,6 +483,9 @@ package body Clocked_Executives_Tests is
       Add
         (Suite, "KRN-3 SLEEP until a tick that has passed is until the next",
          Sleeps'Access);
+      Add
+        (Suite, "KRN-3 a task is released at its tick in any minor frame",
+         Any_Minor_Frame'Access);
       Add
         (Suite, "FRM-4 overruns are counted across starts",
          Counts_Stay'Access);

@@ -40,7 +40,8 @@ package body Waiting_Tasks_Tests is
 
    procedure Report_Overrun (Who : Task_Id) is null;
 
-   procedure Read_Clock (Now : in out Clock_Tick);
+   procedure Read_Clock
+     (Now : in out Clock_Tick; Has_Moved : in out Boolean);
 
    package Executive is
      new URVOS.Executives (Step, Report_Overrun, Read_Clock);
@@ -167,9 +168,11 @@ package body Waiting_Tasks_Tests is
          others => <>);
    end Step;
 
-   procedure Read_Clock (Now : in out Clock_Tick) is
+   procedure Read_Clock
+     (Now : in out Clock_Tick; Has_Moved : in out Boolean) is
    begin
       Now := Time;
+      Has_Moved := True;
    end Read_Clock;
 
    procedure Run_Tasks

@@ -11,25 +11,26 @@ package body URVOS.Bare_Nodes
     Refined_State =>
       (Events          => Guard,
        Task_Management =>
-         (Executive.Task_Management, Clock, Chosen, Was_Up, Refused))
+         (Executive.Task_Management, Clock, Request, Chosen, Was_Up,
+          Refused))
 is
 
    --  Ticks that wait to be served. Further ticks are lost.
    Most_Ticks : constant := 1_000;
-   subtype Waiting_Ticks is Natural range 0 .. Most_Ticks;
+   type Waiting_Ticks is mod 2 ** 16;
 
    protected Guard is
 
       procedure Tick;
 
-      procedure Take_Ticks (Number : out Waiting_Ticks);
+      --  Carries_On: the next order is to carry on, and Look would change
+      --  nothing. Its record is costly on a small processor.
+      procedure Take_Ticks
+        (Number     : out Waiting_Ticks;
+         Carries_On : out Boolean);
 
       --  A request abandons a start in progress.
       procedure Request (Condition : Start_Condition);
-
-      --  The next order is to carry on: Look would change nothing. Its
-      --  record is costly on a small processor.
-      function Carries_On return Boolean;
 
       procedure Look (Next_Order : out Order);
 
@@ -45,14 +46,17 @@ is
    end Guard;
 
    Clock   : Frame_Clock;
+   Request : Frame_Request;
    Chosen  : Schedule_Name := Report;
    Was_Up  : Boolean       := False;
    Refused : Boolean       := False;
 
-   --  Advances the clock by each tick that waits.
-   procedure Follow_Clock;
+   --  Advances the clock by this number of ticks.
+   procedure Follow_Clock (Number : Waiting_Ticks);
 
-   procedure Read_Clock (Now : in out Clock_Tick);
+   procedure Read_Clock
+     (Now : in out Clock_Tick; Has_Moved : in out Boolean)
+   with Inline;
 
    package Executive is
      new URVOS.Executives (Software.Step, Software.Report_Overrun, Read_Clock);
@@ -75,10 +79,13 @@ is
          end if;
       end Tick;
 
-      procedure Take_Ticks (Number : out Waiting_Ticks) is
+      procedure Take_Ticks
+        (Number     : out Waiting_Ticks;
+         Carries_On : out Boolean) is
       begin
          Number := Waiting;
          Waiting := 0;
+         Carries_On := State.Doing = Running and then not State.Is_Wanted;
       end Take_Ticks;
 
       procedure Request (Condition : Start_Condition) is
@@ -86,9 +93,6 @@ is
          State := (others => <>);
          State := Requested (State, Condition);
       end Request;
-
-      function Carries_On return Boolean is
-        (State.Doing = Running and then not State.Is_Wanted);
 
       procedure Look (Next_Order : out Order) is
       begin
@@ -111,11 +115,8 @@ is
 
    end Guard;
 
-   procedure Follow_Clock is
-      Number  : Waiting_Ticks;
-      Request : Frame_Request;
+   procedure Follow_Clock (Number : Waiting_Ticks) is
    begin
-      Guard.Take_Ticks (Number);
       for Each in 1 .. Number loop
          Software.Look_At_Frame (1, Request);
          Take_Tick (Clock, Request);
@@ -123,13 +124,19 @@ is
       Software.Tell_Time (Clock.Now);
    end Follow_Clock;
 
-   procedure Read_Clock (Now : in out Clock_Tick) is
-      Has_Ticked : constant Boolean := Guard.Has_Ticked;
+   procedure Read_Clock
+     (Now : in out Clock_Tick; Has_Moved : in out Boolean)
+   is
+      Has_Ticked        : constant Boolean := Guard.Has_Ticked;
+      Number            : Waiting_Ticks;
+      Unused_Carries_On : Boolean;
    begin
       if Has_Ticked then
-         Follow_Clock;
+         Guard.Take_Ticks (Number, Unused_Carries_On);
+         Follow_Clock (Number);
+         Now := Clock_Tick'Max (Now, Clock.Now);
+         Has_Moved := True;
       end if;
-      Now := Clock_Tick'Max (Now, Clock.Now);
    end Read_Clock;
 
    procedure Carry_On is
@@ -200,10 +207,14 @@ is
    end Has_Work;
 
    procedure Serve is
+      Number     : Waiting_Ticks;
       Carries_On : Boolean;
    begin
-      Follow_Clock;
-      Carries_On := Guard.Carries_On;
+      Guard.Take_Ticks (Number, Carries_On);
+      if Number = 0 and then Carries_On then
+         return;
+      end if;
+      Follow_Clock (Number);
       if Carries_On then
          Carry_On;
       else

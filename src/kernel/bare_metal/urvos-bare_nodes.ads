@@ -32,7 +32,7 @@ is
 
    --  The timer's interrupt.
    procedure Clock_Interrupt
-   with Global => (In_Out => Events);
+   with Inline, Global => (In_Out => Events);
 
    --  A tick has not been served, or a start is requested.
    function Has_Work return Boolean
@@ -40,8 +40,8 @@ is
      Volatile_Function,
      Global => (Input => Events);
 
-   --  Advances the clock by all ticks since the last call, and runs the tasks
-   --  that are due.
+   --  If there is work, advances the clock by all ticks since the last call,
+   --  and runs the tasks that are due.
    procedure Serve;
 
    --  Called after an interrupt, between two ticks. A task that calls EXIT

@@ -32,7 +32,8 @@ is
    --  not reported.
    procedure Follow_Clock (Observed : Boolean);
 
-   procedure Read_Clock (Present : in out Clock_Tick);
+   procedure Read_Clock
+     (Present : in out Clock_Tick; Has_Moved : in out Boolean);
 
    package Executive is
      new URVOS.Executives (Software.Step, Software.Report_Overrun, Read_Clock);
@@ -62,10 +63,14 @@ is
       end if;
    end Follow_Clock;
 
-   procedure Read_Clock (Present : in out Clock_Tick) is
+   procedure Read_Clock
+     (Present : in out Clock_Tick; Has_Moved : in out Boolean) is
    begin
       Follow_Clock (Observed => True);
-      Present := Clock_Tick'Max (Present, Now);
+      if Now > Present then
+         Present := Now;
+         Has_Moved := True;
+      end if;
    end Read_Clock;
 
    procedure Follow_Orders (Next_Order : out Order) is

@@ -24,9 +24,10 @@ generic
    --  A task was released late, or ran into its next release (FRM-4).
    with procedure Report_Overrun (Who : Task_Id);
 
-   --  Sets Now to the clock's tick if the clock has moved since the step
-   --  began.
-   with procedure Read_Clock (Now : in out Clock_Tick) is null;
+   --  Sets Now to the clock's tick, and Has_Moved, if the clock has moved
+   --  since the step began.
+   with procedure Read_Clock
+     (Now : in out Clock_Tick; Has_Moved : in out Boolean) is null;
 package URVOS.Executives
   with
     SPARK_Mode,

@@ -44,7 +44,7 @@ generic
    --  no such requests.
    with procedure Look_At_Frame
      (Ticks   : Tick_Count;
-      Request : out Frame_Request)
+      Request : in out Frame_Request)
    is URVOS.Usual_Frames;
 package URVOS.Node_Software with SPARK_Mode is
 
@@ -54,6 +54,7 @@ package URVOS.Node_Software with SPARK_Mode is
      (Who       : Task_Id;
       First_Run : Boolean;
       Now       : Clock_Tick;
-      Call      : out Kernel_Call);
+      Call      : out Kernel_Call)
+   with Inline;
 
 end URVOS.Node_Software;

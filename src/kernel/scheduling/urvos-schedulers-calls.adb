@@ -19,14 +19,16 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
      No_Inline,
      Global => null;
 
-   --  Head_Of for the ready queue, quickly. Others_Wait: another TCB is
-   --  ready, too.
+   --  Head_Of for the ready queue, from the TCBs that may be in it.
+   --  Others_Wait: another TCB is ready, too.
    procedure Find_Ready
      (S           : Scheduler;
+      TCBs        : TCB_Range;
       Head        : out TCB_Count;
       Others_Wait : out Boolean)
    with
      Global => null,
+     Pre    => Ready_Are_In (S, TCBs),
      Post   =>
        Head = Head_Of (S, Ready)
        and then
@@ -35,9 +37,10 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
                   (if Queue_Of (S, Which) = Ready then Which = Head)));
 
    --  Moves one TCB to the end.
-   procedure Move_To_End (Turns : in out Turn_Table; Which : TCB_Number)
+   procedure Move_To_End (Turns : in out Turn_Numbers; Which : TCB_Number)
    with
      Inline,
+     Pre  => Are_Turns (Turns),
      Post => Turns = With_Last (Turns'Old, Which);
 
    --  Gives a TCB a new value and the last turn.
@@ -69,6 +72,7 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
 
    procedure Find_Ready
      (S           : Scheduler;
+      TCBs        : TCB_Range;
       Head        : out TCB_Count;
       Others_Wait : out Boolean)
    is
@@ -76,7 +80,7 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
    begin
       Head := No_TCB;
       Others_Wait := False;
-      for Which in TCB_Number loop
+      for Which in TCBs.First .. TCBs.Last loop
          pragma Assert
            (for all Other in TCB_Number =>
               (if Other /= Which
@@ -89,7 +93,9 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
                Head := Which;
             else
                Others_Wait := True;
-               Head := Better (S, Head, Which);
+               if S.TCBs (Which).Priority >= S.TCBs (Head).Priority then
+                  Head := Better (S, Head, Which);
+               end if;
             end if;
          end if;
          pragma Loop_Invariant (Is_Head (S, Ready, Head, Which));
@@ -101,25 +107,21 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
       Prove_One_Head (S, Head, Head_Of (S, Ready));
    end Find_Ready;
 
-   procedure Move_To_End (Turns : in out Turn_Table; Which : TCB_Number) is
-      --  Without the predicate, which does not hold in the loop.
-      type Turn_Numbers is array (TCB_Number) of Turn with Alignment => 2;
-
-      Mine  : constant Turn := Turns (Which);
-      Moved : Turn_Numbers  := Turn_Numbers (Turns);
+   procedure Move_To_End (Turns : in out Turn_Numbers; Which : TCB_Number) is
+      Mine   : constant Turn         := Turns (Which);
+      Before : constant Turn_Numbers := Turns with Ghost;
    begin
       for Each in TCB_Number loop
-         if Moved (Each) > Mine then
-            Moved (Each) := Moved (Each) - 1;
+         if Turns (Each) > Mine then
+            Turns (Each) := Turns (Each) - 1;
          end if;
          pragma Loop_Invariant
            (for all Place in TCB_Number =>
               (if Place <= Each and then Place /= Which
-               then Moved (Place) = With_Last (Turns, Which) (Place)
-               else Moved (Place) = Turns (Place)));
+               then Turns (Place) = With_Last (Before, Which) (Place)
+               else Turns (Place) = Before (Place)));
       end loop;
-      Moved (Which) := Last_Turn;
-      Turns := Turn_Table (Moved);
+      Turns (Which) := Last_Turn;
    end Move_To_End;
 
    procedure Queue
@@ -154,22 +156,26 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
       Queue (S, Head_Of (S, Free), Loaded (Header, S.Clock));
    end Load;
 
-   procedure Dispatch (S : in out Scheduler; Others_Wait : out Boolean) is
-      Best : TCB_Count;
+   procedure Dispatch (S : in out Scheduler; May_Be_Ready : in out TCB_Range)
+   is
+      Best        : TCB_Count;
+      Others_Wait : Boolean;
    begin
-      Others_Wait := True;
       if S.Running = No_TCB then
-         Find_Ready (S, Best, Others_Wait);
+         Find_Ready (S, May_Be_Ready, Best, Others_Wait);
          if Best /= No_TCB then
             Switch_To (S, Best);
+         end if;
+         if not Others_Wait then
+            May_Be_Ready := No_TCBs;
          end if;
       end if;
    end Dispatch;
 
    procedure Dispatch (S : in out Scheduler) is
-      Unused_Others_Wait : Boolean;
+      Unused_May_Be_Ready : TCB_Range := All_TCBs;
    begin
-      Dispatch (S, Unused_Others_Wait);
+      Dispatch (S, Unused_May_Be_Ready);
    end Dispatch;
 
    procedure Wake (S : in out Scheduler; Now : Clock_Tick) is
@@ -181,7 +187,7 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
       Best               : TCB_Count;
       Unused_Others_Wait : Boolean;
    begin
-      Find_Ready (S, Best, Unused_Others_Wait);
+      Find_Ready (S, All_TCBs, Best, Unused_Others_Wait);
       if Best /= No_TCB
         and then S.TCBs (Best).Priority > S.TCBs (S.Running).Priority
       then
@@ -196,7 +202,7 @@ package body URVOS.Schedulers.Calls with SPARK_Mode is
       Release : constant Tick       := Tick'Max (Until_Tick, S.Clock + 1);
       Before  : constant Scheduler  := S with Ghost;
    begin
-      if Has_Overrun (S) then
+      if S.Clock - S.TCBs (Caller).Release >= Ticks_Per_Major_Frame then
          S.Overruns := Incremented (S.Overruns);
       end if;
       S.Running := No_TCB;

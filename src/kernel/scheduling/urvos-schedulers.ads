@@ -9,8 +9,7 @@
 --  TERMINATE.
 --
 --  The queues are not sorted. Each TCB holds the tick at which its task is
---  ready, and its turn among tasks of the same tick. Each choice searches all
---  TCBs. The clock alone wakes a sleeping task.
+--  ready, and its turn among those of the tick. Only the clock wakes a task.
 --
 --  Each call is modelled here as a function from one scheduler to the next,
 --  for contracts and theorems. URVOS.Schedulers.Calls does the same in place.
@@ -205,13 +204,14 @@ private
    type Turn is range 0 .. 255 with Size => 8;
    Last_Turn : constant Turn := Number_Of_TCBs;
 
-   type Turn_Table is array (TCB_Number) of Turn with
-     Alignment => 2,
-     Predicate =>
-       (for all A in TCB_Number => Turn_Table (A) in 1 .. Last_Turn
-          and then
-            (for all B in TCB_Number =>
-               (if A /= B then Turn_Table (A) /= Turn_Table (B))));
+   type Turn_Numbers is array (TCB_Number) of Turn with Alignment => 2;
+
+   function Are_Turns (Turns : Turn_Numbers) return Boolean is
+     (for all A in TCB_Number => Turns (A) in 1 .. Last_Turn
+      and then
+        (for all B in TCB_Number => (if A /= B then Turns (A) /= Turns (B))));
+
+   subtype Turn_Table is Turn_Numbers with Predicate => Are_Turns (Turn_Table);
 
    type TCB_Table is array (TCB_Number) of Task_Control_Block;
 
