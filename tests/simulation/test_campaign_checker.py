@@ -3,7 +3,6 @@
 makes it fail, each thing alone. The flights here are written by hand, and
 perfect but for one thing."""
 
-import json
 import subprocess
 import sys
 from collections import Counter
