@@ -29,8 +29,10 @@ package Telemetry.Boards with Pure, SPARK_Mode is
    --  The name for units that use only boards.
    subtype Statistics is Telemetry.Statistics;
 
-   function Tally (This : Board) return Statistics is (Control_Of (This).Tally)
-   with Global => null;
+   function Tally (This : Board) return Statistics
+   with
+     Global => null,
+     Post   => Tally'Result = Control_Of (This).Tally;
 
    --  The board may have a character to send: it does not wait, or only for
    --  the short time at the end of a message.
@@ -284,7 +286,9 @@ private
 
    function Control_Of (This : Board) return Control is (This.Control);
 
-   --  These two read the component itself: Control_Of copies it.
+   --  These read the component itself: Control_Of copies it.
+
+   function Tally (This : Board) return Statistics is (This.Control.Tally);
 
    --  Within a message the board waits, unless its own character is on the
    --  line.
