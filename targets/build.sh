@@ -15,6 +15,8 @@ root=$PWD
 machine=$1
 node=$2
 listing=
+small=
+tasks=
 board=
 unlinked=
 
@@ -38,10 +40,14 @@ case $machine in
       # This compiler joins stores to odd addresses, which a 68000 traps. The
       # files .rep have the representation of the types (BRD-4).
       switches="$processor -fno-pie -fno-store-merging"
+      # Blocks stay in their order: else their ends are copied, which is for
+      # processors that predict branches.
+      small=-fno-reorder-blocks
+      tasks=-O3
       listing=-gnatR1s
       # Short loops over all task control blocks are unrolled: an index costs
       # more than the work.
-      fast="-O3 --param max-completely-peeled-insns=200
+      fast="-O3 -freorder-blocks --param max-completely-peeled-insns=200
             --param max-peel-branches=100"
       board="telemetry-boards-dual_ported telemetry_board_program"
       folders="targets/mc68000 targets/mc68000/musashi
@@ -100,13 +106,13 @@ done
 
 optimise="-O2 -gnatn -fcallgraph-info=su -ffunction-sections -fdata-sections"
 optimise="$optimise -fno-tree-loop-distribute-patterns"
-optimise="$optimise -fno-delete-null-pointer-checks"
-march="-fno-ipa-cp -funroll-loops --param max-unroll-times=4"
+optimise="$optimise -fno-delete-null-pointer-checks $small"
+march="-freorder-blocks -fno-ipa-cp -funroll-loops --param max-unroll-times=4"
 language="-gnat2022 -gnatW8 -gnatwa -gnatwJ -gnatw.X -gnatw.V -gnatwe -gnatyg -gnatyM79 -g"
 
 # Both nodes share the objects, which are made again with other switches.
-stamp="$stamp $language $listing $optimise $fast $march $board
-schedulers boards laws fields"
+stamp="$stamp $language $listing $optimise $fast $tasks $march $board
+schedulers boards laws fields nodes"
 if [ "$(cat objects/stamp 2>/dev/null)" != "$stamp" ]; then
    rm -rf objects
    mkdir objects
@@ -136,6 +142,10 @@ compile "$fast" telemetry-boards telemetry-receivers telemetry-shared_boards \
 # The fields of a chip's register are tested in place.
 # shellcheck disable=SC2086 # lists of units
 compile "$fast -fno-tree-sra" $board
+# The node's unit has the instances of its tasks.
+case $node in
+   mcs|gsc) compile "$tasks" "$node" ;;
+esac
 # The march at power up: its data is in registers, and each turn of its loops has
 # several cells.
 compile "$march" power_up_tests
