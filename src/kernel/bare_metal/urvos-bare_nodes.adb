@@ -51,6 +51,11 @@ is
    Was_Up  : Boolean       := False;
    Refused : Boolean       := False;
 
+   --  Advances the clock by one tick. It is out of line, where it needs fewer
+   --  registers.
+   procedure Advance_Clock
+   with No_Inline;
+
    --  Advances the clock by this number of ticks.
    procedure Follow_Clock (Number : Waiting_Ticks);
 
@@ -115,11 +120,16 @@ is
 
    end Guard;
 
+   procedure Advance_Clock is
+   begin
+      Software.Look_At_Frame (1, Request);
+      Take_Tick (Clock, Request);
+   end Advance_Clock;
+
    procedure Follow_Clock (Number : Waiting_Ticks) is
    begin
       for Each in 1 .. Number loop
-         Software.Look_At_Frame (1, Request);
-         Take_Tick (Clock, Request);
+         Advance_Clock;
       end loop;
       Software.Tell_Time (Clock.Now);
    end Follow_Clock;

@@ -74,6 +74,7 @@ is
    --  Sets the time, unless the clock runs back.
    procedure Follow_Clock (Now : Clock_Tick)
    with
+     Inline,
      Post =>
        Running_TCB (Tasks) = Running_TCB (Present'Old.Tasks)
        and then
