@@ -50,7 +50,10 @@ STUCK_BITS, ILLEGAL_IN_RAM_TEST, INTERRUPT_IN_RAM_TEST = range(11, 14)
 # Is added to an event that befalls the telemetry board's processor.
 ON_TELEMETRY_BOARD = 32
 
-LAWS_ON = 1
+LAWS_ON, SEALED = 1, 2
+
+# The keys of a sealed flight, as in targets/nodes/node_programs.adb.
+KEYS = "key 1 000102030405060708090a0b0c0d0e0f\n"
 
 # The number of words in each part of a row, in order.
 UPLINK, DOWNLINK, STATUS, PWM = 14, 28, 12, 14
@@ -188,22 +191,28 @@ class Machine:
     def image(self, name, images):
         return images.get(name, self.images / f"{name}.bin")
 
-    def fly_both(self, folder, seconds, laws):
+    def fly_both(self, folder, seconds, laws, sealed=False):
         """A scripted flight, by the simulation and by two emulated nodes: the
         rows of the one, the runs of the other."""
         folder = Path(folder)
         line = {"quantum": self.quantum, "line_delay_us": self.line_delay_us}
-        gsc = Tape(seconds, **line)
-        mcs = Tape(seconds, lag=LAG, flags=LAWS_ON if laws else 0, **line)
+        seal = SEALED if sealed else 0
+        gsc = Tape(seconds, flags=seal, **line)
+        mcs = Tape(seconds, lag=LAG, flags=seal | (LAWS_ON if laws else 0),
+                   **line)
         scripted(STICKS, gsc, folder / "sticks.csv", seconds, 1)
         scripted(SENSORS, mcs, folder / "sensors.csv", seconds, 2)
         record = folder / "record.csv"
+        keys = folder / "keys"
+        keys.write_text(KEYS, encoding="utf-8")
+        keys.chmod(0o600)
         subprocess.run(
             [ROOT / "bin" / "urv_sim", "fly", "--seconds", str(seconds),
              "--sticks", folder / "sticks.csv",
              "--sensors", folder / "sensors.csv",
              "--laws", "on" if laws else "off", "--phase", str(LAG),
              "--line-delay", str(self.line_delay_us / 1000),
+             *(["--format", "2", "--key", keys] if sealed else []),
              "--record", record, "--quiet"], check=True)
         with record.open(encoding="utf-8") as file:
             rows = list(csv.DictReader(file))

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Flies both nodes for 10 s on an emulated bare machine, compares each frame
-with the simulation, and prints the figures (BRD-1).
+"""Flies both nodes for 10 s on an emulated bare machine, with the laws off and
+on and on a sealed link, compares each frame with the simulation, and prints the
+figures (BRD-1).
 
     targets/figures.py cortex_m|mc68000 [SECONDS]
     targets/figures.py mc68000 SECONDS MHZ      at another clock than 250 MHz
@@ -91,13 +92,14 @@ def main():
             sys.exit(__doc__)
         machine.mhz = int(sys.argv[3])
     good = True
-    for laws in (False, True):
+    for laws, sealed in ((False, False), (True, False), (True, True)):
         with tempfile.TemporaryDirectory() as folder:
-            rows, runs = machine.fly_both(folder, seconds, laws)
+            rows, runs = machine.fly_both(folder, seconds, laws, sealed)
         different = list(emulated.differences(rows, runs))
         good = good and not different and all(
             run.has(f"{node.upper()} started") for node, run in runs.items())
-        print(f"{machine.name}: {seconds:g} s, laws {'on' if laws else 'off'}:"
+        print(f"{machine.name}: {seconds:g} s, laws {'on' if laws else 'off'}"
+              f"{', sealed' if sealed else ''}:"
               f" {len(rows)} frames, {len(different)} groups of words differ"
               " from the simulation's")
         for node, run in runs.items():

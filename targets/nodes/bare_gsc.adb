@@ -17,6 +17,7 @@ package body Bare_GSC is
      (Name            => "GSC",
       AD_Board        => GSC.AD_Board,
       Telemetry_Board => GSC.Telemetry_Board,
+      Sealing         => GSC.Sealing,
       CORE_Memory     => GSC.CORE_Memory,
       Node_Status     => GSC.Status,
       Errors          => GSC.Errors,

@@ -66,6 +66,7 @@ package body Bare_MCS is
      (Name            => "MCS",
       AD_Board        => MCS.AD_Board,
       Telemetry_Board => MCS.Telemetry_Board,
+      Sealing         => MCS.Sealing,
       CORE_Memory     => MCS.CORE_Memory,
       Node_Status     => MCS.Status,
       Errors          => MCS.Errors,

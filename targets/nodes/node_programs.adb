@@ -16,6 +16,7 @@ with Telemetry.Boards;
 with URV.Buffers;
 with URV.CORE_Memory;
 with URV.Errors;
+with URV.Sessions;         use URV.Sessions;
 with URVOS.Memories;   use URVOS.Memories;
 with URVOS.Self_Tests; use URVOS.Self_Tests;
 
@@ -30,6 +31,15 @@ package body Node_Programs is
 
    --  One of these has happened.
    Awake : aliased Targets.Flag := Targets.Down;
+
+   --  The keys of an emulated flight on a sealed link. They are no secret: a
+   --  real board gets its own.
+   Emulated_Keys : constant Key_List :=
+     [First  => (Is_Present => True,
+                 Number     => 1,
+                 Value      => (K0 => 16#0706_0504_0302_0100#,
+                                K1 => 16#0F0E_0D0C_0B0A_0908#)),
+      Second => <>];
 
    --  Starts the conversion that the controller has requested, if any.
    procedure Serve_Converter;
@@ -178,6 +188,9 @@ package body Node_Programs is
    procedure Configure (Flags : Unsigned_32; Line_Delay : Unsigned_32) is
    begin
       Set_Laws ((Flags and 1) /= 0);
+      if (Flags and 2) /= 0 then
+         Sealing.Configure (Format => 2, Keys => Emulated_Keys, Start => 1);
+      end if;
       Telemetry_Board.Set_Round_Trip (Round_Trip_Of (Integer (Line_Delay)));
    end Configure;
 

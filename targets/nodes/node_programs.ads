@@ -10,6 +10,7 @@ with URV.AD_Boards;
 with URV.AD_Scans; use URV.AD_Scans;
 with URV.Shared_CORE_Memory;
 with URV.Shared_Errors;
+with URV.Shared_Seals;
 with URV.Shared_Status;
 with URVOS;        use URVOS;
 with URVOS.Bare_Nodes;
@@ -19,6 +20,7 @@ generic
    Name            : String;
    AD_Board        : in out URV.AD_Boards.Board;
    Telemetry_Board : in out Telemetry.Shared_Boards.Shared_Board;
+   Sealing         : in out URV.Shared_Seals.Shared_Seal;
    CORE_Memory     : in out URV.Shared_CORE_Memory.Board;
    Node_Status     : in out URV.Shared_Status.Status;
    Errors          : in out URV.Shared_Errors.Shared_Log;

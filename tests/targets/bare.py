@@ -40,8 +40,8 @@ def stack_size(machine, name):
     return place["urv_stack_top"] - place["urv_stack_bottom"]
 
 
-def flies_like_the_simulation(machine, folder, laws):
-    rows, runs = machine.fly_both(folder, SECONDS, laws)
+def flies_like_the_simulation(machine, folder, laws, sealed=False):
+    rows, runs = machine.fly_both(folder, SECONDS, laws, sealed)
     frames = SECONDS * emulated.FRAMES_PER_S
     assert len(rows) == frames
     assert list(emulated.differences(rows, runs)) == []

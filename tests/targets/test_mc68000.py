@@ -33,6 +33,10 @@ def test_brd4_each_frame_has_the_words_of_the_simulation(tmp_path, laws):
     bare.flies_like_the_simulation(MACHINE, tmp_path, laws)
 
 
+def test_brd4_a_sealed_flight_has_the_words_of_the_simulation(tmp_path):
+    bare.flies_like_the_simulation(MACHINE, tmp_path, laws=True, sealed=True)
+
+
 @pytest.mark.parametrize("laws", [False, True], ids=["direct", "laws"])
 def test_brd4_at_20_mhz_tasks_are_late_and_all_words_are_the_same(
         tmp_path, monkeypatch, laws):

@@ -13,7 +13,7 @@ package Tapes is
       Lag        : Unsigned_32;   --  ticks until the node's clock begins
       Quantum    : Unsigned_32;   --  character times, up to 16; 0: no line
       Line_Delay : Unsigned_32;   --  in microseconds, for the boards
-      Flags      : Unsigned_32;   --  1: control laws on
+      Flags      : Unsigned_32;   --  1: control laws on; 2: sealed link
       Length     : Unsigned_32;   --  of the flight, in character times
       Entries    : Unsigned_32;
    end record;
