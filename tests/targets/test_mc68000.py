@@ -46,8 +46,8 @@ def test_brd4_at_20_mhz_tasks_are_late_and_all_words_are_the_same(
     frames = bare.SECONDS * emulated.FRAMES_PER_S
     for run in runs.values():
         assert sorted(run.rows)[:frames - 1] == list(range(frames - 1))
-        assert run.numbers["overruns"] > 0
         assert run.numbers["bad"] == run.numbers["resets"] == 0
+    assert runs["mcs"].numbers["overruns"] > 0
 
 
 @pytest.mark.parametrize("events", [
