@@ -24,9 +24,35 @@ package body URV.Spare_Bits with SPARK_Mode is
       Three := With_Spare (Three, Low (Value));
    end Pack_Value;
 
+   --  Limits the sensors after the last one that carries bits, if any.
+   procedure Clip_Later (This : in out Downlink_Buffer)
+   with
+     Inline,
+     Global => null,
+     Post   =>
+       (for all Item in Downlink_Item =>
+          This (Item) =
+            (if Item in Sensor_Item and then Item > Uplink_Signal_Strength
+             then Clipped (This'Old (Item)) else This'Old (Item)));
+
+   procedure Clip_Later (This : in out Downlink_Buffer) is
+   begin
+      for Item in reverse Sensor_Item loop
+         exit when Item = Uplink_Signal_Strength;
+         This (Item) := Clipped (This (Item));
+         pragma Loop_Invariant
+           (for all Each in Downlink_Item =>
+              This (Each) =
+                (if Each in Sensor_Item and then Each >= Item
+                 then Clipped (This'Loop_Entry (Each))
+                 else This'Loop_Entry (Each)));
+      end loop;
+   end Clip_Later;
+
    procedure Pack (This : in out Downlink_Buffer; Frame : Frame_Words) is
       Before : constant Downlink_Buffer := This with Ghost;
    begin
+      Clip_Later (This);
       This (Right_Flap_1) := With_Spare (This (Right_Flap_1), Frame_Mark);
       Pack_Value
         (This (Left_Flap_1), This (Right_Flap_2), This (Left_Flap_2),
@@ -58,6 +84,7 @@ package body URV.Spare_Bits with SPARK_Mode is
          This (Uplink_Signal_Strength), Frame (Throttle));
 
       --  Each word, for the proof.
+      pragma Assert (This (Error_Status) = Before (Error_Status));
       pragma Assert
         (for all Item in Sensor_Item =>
            This (Item) =
