@@ -93,7 +93,6 @@ package URV.Law_Gains with Pure, SPARK_Mode is
    --  kt. Pitch rate and load factor follow the square of the bank in tenths
    --  of a degree, at 70 kt.
    Turn_For_Bank   : constant := 2_300;
-   Per_Ten_Thousand : constant := 10_000;
    Tenths          : constant := 100;
    Square_Per_Rate : constant := 21;
    Square_Per_Load : constant := 657;

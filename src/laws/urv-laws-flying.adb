@@ -41,7 +41,7 @@ package body URV.Laws.Flying with SPARK_Mode is
 
       This.Is_Stick (Roll_Axis) := Is_Stick_Again
         (This.Is_Stick (Roll_Axis), This.Flown.Lateral = Direct,
-         Input.Is_Pilot, This.Last.Roll, Input.Roll);
+         Input.Is_Pilot, This.Last.Roll, Input.Roll, Roll_Step);
       This.Last.Roll :=
         (if This.Is_Stick (Roll_Axis) then Input.Roll
          else Stepped (This.Last.Roll, Target, Roll_Step));
@@ -64,7 +64,7 @@ package body URV.Laws.Flying with SPARK_Mode is
    begin
       This.Is_Stick (Yaw_Axis) := Is_Stick_Again
         (This.Is_Stick (Yaw_Axis), Is_Direct, Input.Is_Pilot, This.Last.Yaw,
-         Input.Yaw);
+         Input.Yaw, Yaw_Step);
       This.Last.Yaw :=
         (if This.Is_Stick (Yaw_Axis) then Input.Yaw
          else Stepped (This.Last.Yaw, Target, Yaw_Step));
@@ -137,7 +137,7 @@ package body URV.Laws.Flying with SPARK_Mode is
 
       This.Is_Stick (Pitch_Axis) := Is_Stick_Again
         (This.Is_Stick (Pitch_Axis), This.Flown.Vertical = Direct,
-         Input.Is_Pilot, This.Last.Pitch, Input.Pitch);
+         Input.Is_Pilot, This.Last.Pitch, Input.Pitch, Pitch_Step);
       This.Last.Pitch :=
         (if This.Is_Stick (Pitch_Axis) then Input.Pitch
          else Stepped (This.Last.Pitch, Target, Pitch_Step));
@@ -195,7 +195,8 @@ package body URV.Laws.Flying with SPARK_Mode is
 
       This.Is_Stick (Throttle_Axis) := Is_Stick_Again
         (This.Is_Stick (Throttle_Axis), This.Flown.Power = Direct,
-         Input.Is_Pilot, This.Last.Throttle, Input.Throttle);
+         Input.Is_Pilot, This.Last.Throttle, Input.Throttle,
+         Throttle_Step);
       This.Last.Throttle :=
         (if This.Is_Stick (Throttle_Axis) then Input.Throttle
          else Stepped (This.Last.Throttle, Target, Throttle_Step));

@@ -48,14 +48,16 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
    with Global => null;
 
    --  The stick keeps an axis that it has. An axis released by a law returns
-   --  to the stick when its output equals the stick's word. No axis is the
-   --  stick's while the link is lost.
+   --  to the stick when its output reaches the stick's word in one step, also
+   --  while the stick moves. No axis is the stick's while the link is lost.
    function Is_Stick_Again
-     (Was, Is_Direct, Is_Pilot : Boolean; Last, Stick : Number)
+     (Was, Is_Direct, Is_Pilot : Boolean; Last, Stick, Step : Number)
       return Boolean
    is
-     (Is_Pilot and then Is_Direct and then (Was or else Last = Stick))
-   with Global => null;
+     (Is_Pilot
+      and then Is_Direct
+      and then (Was or else abs (Last - Stick) <= Step))
+   with Global => null, Pre => abs Last <= 4_095 and then abs Stick <= 4_095;
 
    --  Only one axis has changed.
    function Flies_Only (Which : Axis; Before, After : Memory) return Boolean
@@ -180,7 +182,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
             and then Input.Is_Pilot
           then This.Is_Stick (Roll_Axis))
        and then
-         (if not This.Is_Stick (Roll_Axis)
+         (if not (This.Is_Stick'Old (Roll_Axis)
+                  and then This.Is_Stick (Roll_Axis))
           then abs (This.Last.Roll - This.Last'Old.Roll) <= Roll_Step)
        and then
          (if This.Flown.Lateral in Banked
@@ -200,7 +203,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
             and then Input.Is_Pilot
           then This.Is_Stick (Yaw_Axis))
        and then
-         (if not This.Is_Stick (Yaw_Axis)
+         (if not (This.Is_Stick'Old (Yaw_Axis)
+                  and then This.Is_Stick (Yaw_Axis))
           then abs (This.Last.Yaw - This.Last'Old.Yaw) <= Yaw_Step);
 
    procedure Fly_Pitch
@@ -221,7 +225,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
             and then Input.Is_Pilot
           then This.Is_Stick (Pitch_Axis))
        and then
-         (if not This.Is_Stick (Pitch_Axis)
+         (if not (This.Is_Stick'Old (Pitch_Axis)
+                  and then This.Is_Stick (Pitch_Axis))
           then abs (This.Last.Pitch - This.Last'Old.Pitch) <= Pitch_Step)
        and then
          (if This.Flown.Vertical in Pitched
@@ -261,7 +266,8 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
             and then Input.Is_Pilot
           then This.Is_Stick (Throttle_Axis))
        and then
-         (if not This.Is_Stick (Throttle_Axis)
+         (if not (This.Is_Stick'Old (Throttle_Axis)
+                  and then This.Is_Stick (Throttle_Axis))
           then abs (This.Last.Throttle - This.Last'Old.Throttle) <=
                  Throttle_Step)
 

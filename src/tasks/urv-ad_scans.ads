@@ -16,8 +16,6 @@ package URV.AD_Scans with Pure, SPARK_Mode is
    --  complete.
    type Channel_Count is range 0 .. Channel_Words'Length;
 
-   No_Channel : constant Channel_Count := Channel_Count'Last;
-
    --  The number of scans in a row, and the number that fit in a tick.
 
    type Scan_Count is range 0 .. 7;

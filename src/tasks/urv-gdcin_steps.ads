@@ -5,7 +5,8 @@
 --  what is reported (report, 5.5; GDI-1, D-11, D-14, EXT-2, SAF-7). The task
 --  receives, calls these functions, sends and reports. Each is an expression
 --  function: its text is its contract; a procedure in place has it as its
---  postcondition. Messages have their spare bits until For_CORE (FTI-12).
+--  postcondition. Messages have their spare bits until the last step,
+--  Spare_Bits.Unpack (FTI-12).
 
 with URVOS;          use URVOS;
 with URV.Buffers;    use URV.Buffers;
@@ -48,11 +49,6 @@ package URV.GDCIN_Steps with Pure, SPARK_Mode is
      Post   =>
        Message = To_Keep (Message'Old)
        and then Next = Piece_Of (Message'Old (Error_Status));
-
-   --  The message for CORE: the sensors and their frame.
-   function For_CORE (Kept : Downlink_Buffer) return Framed_Downlink is
-     (Spare_Bits.Unpacked (Kept))
-   with Global => null;
 
    --  A fragment of the log is taken once, in the frame of its arrival.
    function Has_Piece (Message : Downlink_Buffer) return Boolean is

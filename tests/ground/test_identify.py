@@ -292,6 +292,14 @@ def test_gnd62_moments_come_after_their_causes():
     assert found[[1, 2]] == pytest.approx(before[[1, 2]])
     assert found[[1, 2]] != pytest.approx(now[[1, 2]])
     assert found[[0, 3]] == pytest.approx(now[[0, 3]])
+    # Equation error has the same causes, by time.
+    times = STEP_S * numpy.arange(100)
+    part = measurements.Segment(
+        times, dict.fromkeys(("beta", "p", "r", "aileron", "rudder"), times),
+        numpy.ones(100, bool), numpy.ones(100))
+    late = model.as_moments_see(part)
+    for name, delay in (("beta", 0.004), ("p", 0.002), ("rudder", 0.002)):
+        assert times - late[name] == pytest.approx(delay), name
 
 
 def test_gnd62_the_noise_of_the_airspeed_is_smoothed():
@@ -380,6 +388,7 @@ def flown(tmp_path_factory):
         capture_output=True)
     (folder / "conditions.txt").write_text(
         "bias pitch_rate 0.2\nbias airspeed 1\nbias alpha 0.3\n"
+        "bias pitch_attitude 1\n"
         "noise alpha 0.1\nnoise beta 0.1\nnoise roll_rate 0.1\n"
         "noise pitch_rate 0.1\nnoise yaw_rate 0.1\n", "utf-8")
     return fly(folder, "--plant", "jsbsim", "--sticks", "sticks.csv",

@@ -98,6 +98,12 @@ package body Console_Watch_Tests is
       end loop;
       Item := Next (Item, Frame_Count'Last, No_Downlink);
       Expect_Input ("the link is lost", Item.Input, Held);
+      for Frame in 1 .. Good_Scans - 1 loop
+         Item := Next (Item, Frame_Count'Last, Standing);
+         Expect_Input ("not yet believed again", Item.Input, Held);
+      end loop;
+      Item := Next (Item, Frame_Count'Last, Standing);
+      Expect_Input ("believed again", Item.Input, Safe_Words);
    end Not_Known;
 
    procedure Every_Other_Downlink is

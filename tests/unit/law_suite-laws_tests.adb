@@ -157,6 +157,7 @@ package body Laws_Tests is
    procedure Letting_Go is
       Banked : constant Downlink_Buffer := Measuring (Roll_Attitude, 2_500);
       Item   : URV.Laws.Memory := Warm (Sticks, Banked);
+      Stick  : Uplink_Buffer   := Sticks;
       Before : Integer;
    begin
       Fly (Item, 60, With_On (Switch_2), Banked);
@@ -170,6 +171,18 @@ package body Laws_Tests is
       Fly (Item, 20, Sticks, Banked);
       Expect ("all direct again",
               Output (Item, Sticks) = Sticks, True);
+
+      --  The stick moves in every frame.
+      Item := Warm (Sticks, Banked);
+      Fly (Item, 60, With_On (Switch_2), Banked);
+      for Frame in 1 .. 20 loop
+         Stick (Roll) := Stick (Roll) + 1;
+         Fly (Item, 1, Stick, Banked);
+      end loop;
+      Expect ("the moving stick's", Item.Is_Stick (Roll_Axis), True);
+      Stick (Roll) := Stick (Roll) + 500;
+      Fly (Item, 1, Stick, Banked);
+      Expect ("a jump at once", Output (Item, Stick) = Stick, True);
    end Letting_Go;
 
    procedure Signs is

@@ -266,8 +266,10 @@ package body Codecs_Tests is
                      when 1      => 16#FFF#,
                      when others => Value));
             Source (Error_Status) := 16#F005#;
-            Sent := Downlink_In (Block_Of (Packed (Source, Frame)));
-            Found := Unpacked (Sent);
+            Sent := Source;
+            Pack (Sent, Frame);
+            Found.Words := Downlink_In (Block_Of (Sent));
+            Unpack (Found.Words, Found.Frame);
             Expect ("the sensors", Found.Words = Source, True);
             Expect
               (Item'Image & " is" & Value'Image, Found.Frame = Frame, True);
@@ -292,8 +294,10 @@ package body Codecs_Tests is
 
       --  Words without a mark are not changed.
       Sent (Right_Flap_1) := 16#FFFF#;
-      Expect ("as they are", Unpacked (Sent).Words = Sent, True);
-      Expect ("no frame", Unpacked (Sent).Frame = Unknown_Frame, True);
+      Found.Words := Sent;
+      Unpack (Found.Words, Found.Frame);
+      Expect ("as they are", Found.Words = Sent, True);
+      Expect ("no frame", Found.Frame = Unknown_Frame, True);
    end Each_Bit_Of_A_Frame;
 
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
