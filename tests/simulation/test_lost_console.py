@@ -198,7 +198,8 @@ def test_saf10_a_landing_without_a_console_ends_with_brakes(fly, write):
 @jsbsim
 @pytest.mark.parametrize("pilot, at_ms", [
     ("standard", 9_340), ("standard", 61_500), ("standard", 148_120),
-    ("circuit", 17_700), ("circuit", 96_060), ("circuit", 189_300)])
+    ("circuit", 17_700), ("circuit", 96_060), ("circuit", 189_300),
+    ("circuit", 201_280)])
 def test_saf10_a_minute_without_console_is_survived(fly, write, pilot, at_ms):
     """`bin/urv monte-carlo --console-losses 100` flies random losses."""
     write("faults.txt", f"{at_ms} gsc console 60000\n")
