@@ -94,7 +94,7 @@ def lateral(of, attitude):
         maker.next["trim"] |= times(of.Roll_Integral_Gain / of.Per_Angle, error)
         words = plus(words, times(of.Roll_Gain, error), {"trim": 1.0})
     maker.now["roll"] = times(AILERON, words)
-    turn = of.Turn_For_Bank / of.Per_Ten_Thousand
+    turn = of.Turn_For_Bank / of.Per_Ten / 1_000
     maker.now["yaw"] = times(RUDDER * of.Yaw_Damping, {r: -1.0, bank: turn})
     return maker.law(("roll", "yaw"))
 

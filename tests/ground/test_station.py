@@ -538,8 +538,10 @@ pulse_s = 1
 """
 
 
-def aboard(node, state=0, frame=0, sent=()):
-    """The aircraft reports its cards, part after part."""
+def aboard(station, state=0, frame=0, sent=()):
+    """The aircraft reports its cards, part after part, each until the station
+    has it."""
+    node = station.node
     place = packets.CARDS_ROW - 1
     for card in sent:
         words = (*card.words()[:11], 0)
@@ -548,7 +550,8 @@ def aboard(node, state=0, frame=0, sent=()):
             node.logs[1][place] = packets.LogRow(
                 state << 16 | frame, (card.slot * 16 + part) << 16 | one,
                 two << 16 | three, four)
-            time.sleep(0.1)
+            next_frame = node.sequence + 1
+            station.wait(lambda state: state["seq"] > next_frame, "a part")
     row = node.logs[1][place]
     node.logs[1][place] = packets.LogRow(
         state << 16 | frame, row.first_frame, row.last_frame, row.detail)
@@ -565,7 +568,7 @@ def test_fti8_the_holder_s_cards_go_up_and_are_read_back(station):
     numbers = [packet.sequence for packet in station.node.cards]
     assert numbers == sorted(set(numbers))
     assert station.state()["cards"]["state"] == "waiting"
-    aboard(station.node, 1, 0, sent)
+    aboard(station, 1, 0, sent)
     shown = station.wait(
         lambda state: state["cards"]["state"] == "taken", "read back")["cards"]
     assert [each["slot"] for each in shown["slots"]] == [1, 3]
@@ -574,9 +577,9 @@ def test_fti8_the_holder_s_cards_go_up_and_are_read_back(station):
         "moves": "pitch", "envelope": "bank 30 deg, airspeed from 50 kt"}
     assert shown["slots"][1]["moves"] == "left rudder"
     # It runs, and ends by a stick.
-    aboard(station.node, 1 | 1 << 4 | 1 << 8, 12)
+    aboard(station, 1 | 1 << 4 | 1 << 8, 12)
     station.wait(lambda state: state["cards"]["running"] == 1, "it runs")
-    aboard(station.node, 1 | 1 << 8 | 5 << 12, 13)
+    aboard(station, 1 | 1 << 8 | 5 << 12, 13)
     shown = station.wait(
         lambda state: not state["cards"]["running"], "it ends")["cards"]
     assert (shown["last"], shown["ended"]) == (1, "stick moved")
