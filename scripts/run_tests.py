@@ -230,7 +230,7 @@ def python_tests(projects, name, without=(), at_once=ONE_MORE,
         return BROKEN
     report = RESULTS / f"{told or name}.xml"
     report.unlink(missing_ok=True)
-    pytest = [sys.executable, "-B", "-m", "pytest", "-p", "no:cacheprovider"]
+    pytest = [sys.executable, "-m", "pytest", "-p", "no:cacheprovider"]
     pytest += ["-p", "test_lines"]
     pytest += ["--timeout", LIMIT_S]
     pytest += ["-v", "-rs", "--tb=short", f"--junitxml={report}"]
@@ -238,11 +238,14 @@ def python_tests(projects, name, without=(), at_once=ONE_MORE,
     # Folders of tests that passed go; they are 400 MB.
     pytest += ["-o", "tmp_path_retention_policy=failed"]
     pytest += [f"--ignore=tests/{name}/test_{each}.py" for each in without]
-    # The plug-in test_lines is beside this script.
+    # The plug-in test_lines is beside this script. Each process would compile
+    # the tests.
     path = os.pathsep.join(filter(
         None, [str(Path(__file__).parent), os.environ.get("PYTHONPATH")]))
+    given = {**os.environ, "PYTHONPATH": path,
+             "PYTHONPYCACHEPREFIX": str(ROOT / "obj" / "python")}
     status = run(*pytest, f"tests/{name}", what=f"tests of {told or name}",
-                 at_once=PYTHON_TEST, gives_way=not live, env={**os.environ, "PYTHONPATH": path})
+                 at_once=PYTHON_TEST, gives_way=not live, env=given)
     # 0: all passed; 1: some failed. Otherwise pytest itself went wrong, or
     # found no test.
     if status not in (0, 1) or not report.exists():

@@ -111,7 +111,7 @@ case $target in
           requirements="" ;;
    prove) packages="$build python3"
           requirements="" ;;
-   explore) packages="$build"
+   explore) packages="$build python3"
           requirements="" ;;
    fuzz)  packages="$build gcc afl++"
           requirements="" ;;

@@ -167,9 +167,9 @@ class Record:
         self.by_law = law_rows(titles, rows)
         self.failed = ([int(row[titles.index("laws.failed")]) for row in rows]
                        if "laws.failed" in titles else [0] * len(rows))
-        self.truth = [
-            [value for title, value in zip(titles, row, strict=True)
-             if title.startswith("truth.")] for row in rows]
+        truth = [column for column, title in enumerate(titles)
+                 if title.startswith("truth.")]
+        self.truth = [[row[column] for column in truth] for row in rows]
         for name, group, items in BUFFERS:
             wanted = [f"{group}.{item}" for item in items]
             if wanted[0] not in titles:

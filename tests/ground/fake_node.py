@@ -10,6 +10,7 @@ As a program it replays one until it is ended:
 """
 
 import csv
+import functools
 import random
 import socket
 import struct
@@ -31,7 +32,9 @@ SAFE = (2048, 2048, 2048, 0, 4095, *[0] * 8)
 NO_LOG = (packets.LogRow(),) * packets.ROWS_PER_LOG
 
 
+@functools.cache
 def read(record):
+    """Its rows from START on, once for all tests."""
     with open(record, newline="", encoding="ascii") as file:
         rows = [[int(row[column]) for column in packets.COLUMNS]
                 for row in csv.DictReader(file)]

@@ -29,7 +29,7 @@ sys.path.insert(0, str(ROOT / "ground"))
 from fake_node import FakeNode  # noqa: E402 - finds the packages
 
 
-def until(condition, what, patience=PATIENCE_S, pause=0.02):
+def until(condition, what, patience=PATIENCE_S, pause=0.05):
     """The first thing that is so, or the test fails."""
     ends = time.monotonic() + patience
     while True:

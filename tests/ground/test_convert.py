@@ -288,13 +288,20 @@ def test_gnd15_what_cannot_be_done_is_said(
     assert (tmp_path / "a.csv").read_text("utf-8") == "frame,time_ms\n0,20\n"
 
 
+@pytest.fixture(scope="module")
+def whole_mcap(tmp_path_factory, standard):
+    target = tmp_path_factory.mktemp("whole") / "whole.mcap"
+    subprocess.run([URV, "convert", standard / "record.csv", target],
+                   check=True)
+    return target.read_bytes()
+
+
 @pytest.mark.parametrize("cut", [0.3, 0.5, 0.9, 0.99, -1])
 def test_gnd15_an_mcap_that_was_cut_short_is_read_as_far_as_it_is_whole(
-        urv, convert, tmp_path, standard, cut):
+        urv, whole_mcap, tmp_path, standard, cut):
     record = (standard / "record.csv").read_bytes()
-    whole = convert(standard / "record.csv", "whole.mcap").read_bytes()
-    length = int(cut * len(whole)) if cut > 0 else len(whole) + cut
-    (tmp_path / "cut.mcap").write_bytes(whole[:length])
+    length = int(cut * len(whole_mcap)) if cut > 0 else len(whole_mcap) + cut
+    (tmp_path / "cut.mcap").write_bytes(whole_mcap[:length])
     result = urv("convert", "cut.mcap", "out.csv")
     assert (result.returncode, result.stderr) == (
         0, 'urv: "cut.mcap" was cut short: it has no end; what came before is'

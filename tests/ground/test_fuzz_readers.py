@@ -452,7 +452,7 @@ def any_parquet(draw):
 
 def test_sec14_records_of_parquet(folder):
     good = sample(folder, ".parquet")
-    tried("parquet", 60, lambda data: check_record(folder, ".parquet", data),
+    tried("parquet", 30, lambda data: check_record(folder, ".parquet", data),
           some.one_of(EDITS.map(lambda edits: edited(good, edits)),
                       any_parquet(), some.builds(edited, any_parquet(),
                                                  EDITS)))

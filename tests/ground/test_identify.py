@@ -634,10 +634,11 @@ def test_gnd61_manoeuvres_with_gaps_are_not_used(urv, tmp_path, flown):
 
 
 def test_gnd62_a_flight_by_the_pilot_does_not_determine_lateral_motion(
-        standard):
+        tmp_path):
     """The simulated pilot moves rudder and ailerons with the motion."""
     from urv import flights
-    flight = flights.read(standard / "record.csv", lambda _record: None)
+    fly(tmp_path, "--plant", "jsbsim", "--pilot", "standard", "--seconds", "70")
+    flight = flights.read(tmp_path / "record.csv", lambda _record: None)
     result = analysis.identify([flight], aircraft.read())
     for name, each in result.axes["lateral"].derivatives.items():
         assert not each.is_determined, each

@@ -75,10 +75,14 @@ class Flight:
         """The flight record, a dictionary of numbers for each frame: whole
         ones, and decimals of what the aircraft really does."""
         with self.path("record.csv").open(newline="", encoding="utf-8") as f:
+            lines = csv.reader(f)
+            names = next(lines)
+            kinds = [float if name.startswith("truth.") else int
+                     for name in names]
             return [
-                {name: (float if name.startswith("truth.") else int)(value)
-                 for name, value in row.items()}
-                for row in csv.DictReader(f)
+                {name: kind(value) for name, kind, value
+                 in zip(names, kinds, line, strict=True)}
+                for line in lines
             ]
 
     @cached_property
@@ -91,12 +95,10 @@ class Flight:
     def wire(self):
         """Every byte on the serial link, in order."""
         with self.path("wire.csv").open(newline="", encoding="utf-8") as f:
-            return [
-                WireByte(
-                    int(row["time_us"]), row["direction"], int(row["byte"], 16)
-                )
-                for row in csv.DictReader(f)
-            ]
+            lines = csv.reader(f)
+            assert next(lines) == ["time_us", "direction", "byte"]
+            return [WireByte(int(time_us), direction, int(byte, 16))
+                    for time_us, direction, byte in lines]
 
     @cached_property
     def events(self):
