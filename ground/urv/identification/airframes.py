@@ -93,11 +93,7 @@ class Airframe:
                       prior=none, is_considered=True))
         self.place = {each.name: number
                       for number, each in enumerate(self.parameters)}
-        self.terms = {
-            name: [self.place[f"{name}_{variable}"]
-                   for variable in ("0", *self.variables)]
-            for name in self.coefficients}
-        self.late_columns = None, None
+        self.late_columns = None, None, None
 
     @property
     def noisy(self):
@@ -136,29 +132,31 @@ class Airframe:
             segment.splines(*self.surfaces)(times + delay),
             [calibrated / (segment["airspeed"].mean() - error) - 1.0]])
 
-    def coefficient(self, name, regressors, values):
-        """The sum of a coefficient's parts."""
-        first, *others = self.terms[name]
-        total = values[first]
-        for row, regressor in zip(others, regressors, strict=True):
-            total = total + values[row] * regressor
-        return total
+    def sums(self, variables, values):
+        """The coefficients: of each the sum of its parts. Their parameters are
+        the first ones."""
+        shape = len(self.coefficients), len(self.variables)
+        count = shape[0] * shape[1]
+        slopes = values[:count].reshape(*shape, *values.shape[1:])
+        return values[count:count + shape[0]] + numpy.einsum(
+            "nv...,v...->n...", slopes, variables)
 
     def rates(self, states, inputs, values):
         found = self.motion(states, inputs, values)
         delay = values[self.place["moments' delay"]]
         # The same values come for each time of an integration.
-        known, late = self.late_columns
+        known, late, late_values = self.late_columns
         if known is not values:
             late = numpy.flatnonzero(
                 abs(delay) + abs(self.airflow_more) > LEAST_DELAY_S)
-            self.late_columns = values, late
+            late_values = values[:, late]
+            self.late_columns = values, late, late_values
         if len(late):
             delays = numpy.tile(delay[late], (len(self.states), 1))
             delays[0] += self.airflow_more
             before = self.motion(
                 states[:, late] - delays * found[:, late],
-                inputs[:, late], values[:, late])
+                inputs[:, late], late_values)
             for row in self.turning:
                 found[row, late] = before[row]
         return found
@@ -216,11 +214,10 @@ class Longitudinal(Airframe):
         own = self.aircraft
         alpha, q = states[0], states[1]
         speed, pressure, elevator, change = inputs[5:9]
-        regressors = (alpha, q * own.chord / (2.0 * speed), elevator, change)
+        force, moment = self.sums(numpy.array([
+            alpha, q * own.chord / (2.0 * speed), elevator, change]), values)
         area = pressure * own.wing_area
-        return (area / own.mass * self.coefficient("CZ", regressors, values),
-                area * own.chord / own.iyy
-                * self.coefficient("Cm", regressors, values))
+        return (area / own.mass * force, area * own.chord / own.iyy * moment)
 
     def motion(self, states, inputs, values):
         own = self.aircraft
@@ -306,11 +303,11 @@ class Lateral(Airframe):
         beta, p, r = states[:3]
         speed, pressure, aileron, rudder, change = inputs[5:10]
         per = own.span / (2.0 * speed)
-        regressors = (beta, p * per, r * per, aileron, rudder, change)
+        force, roll, yaw = self.sums(numpy.array([
+            beta, p * per, r * per, aileron, rudder, change]), values)
         area = pressure * own.wing_area
-        return (area / own.mass * self.coefficient("CY", regressors, values),
-                area * own.span * self.coefficient("Cl", regressors, values),
-                area * own.span * self.coefficient("Cn", regressors, values))
+        return (area / own.mass * force,
+                area * own.span * roll, area * own.span * yaw)
 
     def motion(self, states, inputs, values):
         own = self.aircraft
