@@ -13,7 +13,7 @@ with URV.Recorder_Rows;  use URV.Recorder_Rows;
 
 package Host.Recordings is
 
-   Title : constant String := "urv recording 1";
+   Title : constant String := "urv recording 2";
 
    --  The length of a ring that holds that time, at most the largest.
    function Length_Of (Time : Microseconds) return Ring_Length;

@@ -19,7 +19,7 @@ from urv.tables import TABLES
 KIND = ".recording"
 """The end of the name of a recording."""
 
-TITLE = "urv recording 1"
+TITLE = "urv recording 2"
 WORDS = 72
 CONTENT = 70
 
@@ -121,8 +121,17 @@ def _names(group):
             if column.startswith(group + ".")]
 
 
-GROUPS = (("mcs.downlink", 4), ("mcs.uplink", 32), ("pwm", 46))
-"""The groups of columns, and the places of their first words, from 0."""
+def _places():
+    """The groups of columns, each with the place of its first word, from 0, and
+    the place of the first word after them."""
+    found, place = {}, 4
+    for group in ("mcs.downlink", "mcs.uplink", "pwm"):
+        found[group] = place
+        place += len(_names(group))
+    return found, place
+
+
+GROUPS, LAWS_PLACE = _places()
 
 LAWS = ("lateral", "vertical", "power", "link")
 
@@ -132,19 +141,20 @@ def columns_of(words) -> dict[str, int]:
     tick = words[2] << 16 | words[3]
     frame = tick * TICK_US // TABLES["frame_us"]
     found = {"frame": frame, "time_ms": round((frame + 1) * FRAME_MS)}
-    for group, first in GROUPS:
+    for group, first in GROUPS.items():
         for place, name in enumerate(_names(group)):
             found[name] = words[first + place]
+    modes, *reports, card, errors, last = words[LAWS_PLACE:LAWS_PLACE + 9]
     for place, name in enumerate(LAWS):
-        found[f"laws.{name}"] = words[60] >> 4 * place & 15
-    for place, name in enumerate(("invalid_low", "invalid_high", "silent",
-                                  "failed", "configuration")):
-        found[f"laws.{name}"] = words[61 + place]
+        found[f"laws.{name}"] = modes >> 4 * place & 15
+    for name, word in zip(("invalid_low", "invalid_high", "silent", "failed",
+                           "configuration"), reports, strict=True):
+        found[f"laws.{name}"] = word
     found |= {
         "recorder.row": number_of(words), "recorder.tick": tick,
-        "recorder.card": words[66] >> 4 & 15,
-        "recorder.card_state": words[66], "recorder.errors": words[67],
-        "recorder.last_error": words[68], "recorder.warm_starts": words[69]}
+        "recorder.card": card >> 4 & 15,
+        "recorder.card_state": card, "recorder.errors": errors,
+        "recorder.last_error": last & 255, "recorder.warm_starts": last >> 8}
     return found
 
 

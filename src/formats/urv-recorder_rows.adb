@@ -81,7 +81,7 @@ package body URV.Recorder_Rows with SPARK_Mode is
          pragma Loop_Invariant
            (Are_Sums (Number, Words, Place, Sum, Partials));
       end loop;
-      for Place in Law_Word'Last + 1 .. Content_Word'Last loop
+      for Place in Other_Word loop
          Add (Content_Of (Number, Words, Place), Sum, Partials);
          Unfold (Number, Words, Place);
          pragma Loop_Invariant

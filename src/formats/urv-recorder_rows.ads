@@ -5,15 +5,17 @@
 --
 --  words 1, 2    number of the row since the cold start, high word first
 --  words 3, 4    tick in which the row was made, modulo 2 ** 32
---  words 5 ..    the sensors with their error/status word, 28 words
---  words 33 ..   the commands heard with theirs, 14 words
---  words 47 ..   the words at the servos, 14 words
---  words 61 ..   the control laws: their report without the age, 6 words
+--  words 5 ..    the sensors with their error/status word
+--  then          the commands heard with theirs
+--                the words at the servos
+--                the control laws: their report without the age, 6 words
 --                (URV.Law_Status)
---  word 67       the test cards: the state in their report (URV.Card_Status)
---  word 68       number of errors in the log, at most 65535
---  word 69       kind of the last error, its place from 1; 0 for none
---  word 70       number of warm starts since the cold start, at most 65535
+--                the test cards: the state in their report (URV.Card_Status)
+--                number of errors in the log, at most 65535
+--                low byte: kind of the last error, its place from 1; 0 for
+--                none; high byte: number of warm starts since the cold start,
+--                at most 255
+--  up to 70      0
 --  words 71, 72  sum of words 1 to 70, and sum of its partial sums
 
 with URVOS;        use URVOS;
@@ -29,6 +31,8 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
    type Law_Place is range 1 .. 6;
    type Law_Words is array (Law_Place) of Word;
 
+   subtype Byte_Word is Word range 0 .. 255;
+
    --  The words of the laws and of the test cards.
    type Recorded_Laws is record
       Laws  : Law_Words := (others => 0);
@@ -43,8 +47,8 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
       Laws     : Law_Words       := (others => 0);
       Cards    : Word            := 0;
       Errors   : Word            := 0;
-      Kind     : Word            := 0;
-      Starts   : Word            := 0;
+      Kind     : Byte_Word       := 0;
+      Starts   : Byte_Word       := 0;
    end record;
 
    type Row is record
@@ -60,10 +64,32 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
 
    subtype Content_Word is Row_Word range 1 .. 70;
 
-   subtype Sensor_Word  is Content_Word range 5 .. 32;
-   subtype Command_Word is Content_Word range 33 .. 46;
-   subtype Servo_Word   is Content_Word range 47 .. 60;
-   subtype Law_Word     is Content_Word range 61 .. 66;
+   --  The places follow from the numbers of words.
+
+   Sensor_Count  : constant := Downlink_Item'Pos (Downlink_Item'Last) + 1;
+   Command_Count : constant := Uplink_Item'Pos (Uplink_Item'Last) + 1;
+   Servo_Count   : constant := PWM_Item'Pos (PWM_Item'Last) + 1;
+   Law_Count     : constant := 6;
+
+   --  Of the test cards, of the number of errors, of the last word.
+   Card_Place  : constant :=
+     5 + Sensor_Count + Command_Count + Servo_Count + Law_Count;
+   Error_Place : constant := Card_Place + 1;
+   Last_Place  : constant := Card_Place + 2;
+
+   pragma Compile_Time_Error
+     (Last_Place > 70,
+      "a row of the recorder has no room for more words of a buffer");
+
+   subtype Sensor_Word  is Content_Word range 5 .. 4 + Sensor_Count;
+   subtype Command_Word is Content_Word
+     range Sensor_Word'Last + 1 .. Sensor_Word'Last + Command_Count;
+   subtype Servo_Word   is Content_Word
+     range Command_Word'Last + 1 .. Command_Word'Last + Servo_Count;
+   subtype Law_Word     is Content_Word
+     range Servo_Word'Last + 1 .. Servo_Word'Last + Law_Count;
+   subtype Other_Word   is Content_Word
+     range Law_Word'Last + 1 .. Content_Word'Last;
 
    function Item_Of (Place : Sensor_Word) return Downlink_Item is
      (Downlink_Item'Val (Place - Sensor_Word'First))
@@ -94,10 +120,11 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
          when Command_Word => Words.Commands (Item_Of (Place)),
          when Servo_Word   => Words.Servos (Item_Of (Place)),
          when Law_Word     => Words.Laws (Place_Of (Place)),
-         when 67           => Words.Cards,
-         when 68           => Words.Errors,
-         when 69           => Words.Kind,
-         when 70           => Words.Starts)
+         when Other_Word   =>
+           (if Place = Card_Place then Words.Cards
+            elsif Place = Error_Place then Words.Errors
+            elsif Place = Last_Place then 2 ** 8 * Words.Starts + Words.Kind
+            else 0))
    with Global => null;
 
    function Word_At (Item : Row; Place : Row_Word) return Word is

@@ -26,8 +26,9 @@ package body URV.Flight_Recorder with SPARK_Mode is
       Words.Kind :=
         (if All_Errors.Total = 0 then 0
          else Error_Kind'Pos (All_Errors.Latest) + 1);
-      Words.Starts := To_Word
-        (Saturating_Sum (Resets.Occurrences, Restarts.Occurrences));
+      Words.Starts := Word'Min
+        (To_Word (Saturating_Sum (Resets.Occurrences, Restarts.Occurrences)),
+         Byte_Word'Last);
    end Take_Errors;
 
    procedure Record_Frame is

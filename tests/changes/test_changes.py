@@ -185,9 +185,10 @@ def test_one_more_sensor_word(sensor):
     change = sensor
     change.expect_cost()
     expect_partitions_flown(change)
-    rows, _ = change.fly_aircraft()
+    rows, _ = change.fly_aircraft("--recording", "a.recording")
     # 15 degrees, less a little for the height, of 0.05 each from 0800h.
     assert 2_200 < int(rows[-1]["gsc.downlink.outside_temperature"]) < 2_350
+    expect_recorded(change, rows)
     # Sealed, too: in format 2 words have places of their own.
     key = change.copy / "key"
     key.write_text(f"key 1 {'5a' * 16}\n", encoding="utf-8")
@@ -195,6 +196,29 @@ def test_one_more_sensor_word(sensor):
     rows, _ = change.fly_aircraft("--format", "2", "--key", "key",
                                   at_start=SEALED_START)
     assert 2_200 < int(rows[-1]["gsc.downlink.outside_temperature"]) < 2_350
+
+
+# Prints the newest row of a recording, read with the code of the copy.
+NEWEST_ROW = """
+import json, sys
+sys.path.insert(0, "ground")
+from urv import recordings
+print(json.dumps(recordings.columns_of(
+    recordings.Recording("a.recording").rows[-1])))
+"""
+
+
+def expect_recorded(change, rows):
+    """The flight recorder has every word aboard at its place (FTI-9)."""
+    read = change.run(sys.executable, "-B", "-c", NEWEST_ROW)
+    assert read.returncode == 0, read.stderr
+    newest = json.loads(read.stdout)
+    row = rows[newest["frame"]]
+    words = {name: int(row[name]) for name in row
+             if name.startswith(("mcs.downlink.", "mcs.uplink.", "pwm."))}
+    assert "mcs.downlink.outside_temperature" in words
+    assert {name: newest[name] for name in words} == words
+    assert newest["recorder.warm_starts"] == 0
 
 
 # Flies both partitions until a frame packet is fresh, with the station's code

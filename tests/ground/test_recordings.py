@@ -208,7 +208,7 @@ def test_fti11_a_recording_that_was_cut_short(tmp_path, rows):
 def test_fti11_rows_after_a_cold_start_are_those_of_the_file(tmp_path, rows):
     path = tmp_path / "a.recording"
     recordings.write(path, rows)
-    path.write_text(path.read_text("ascii") + "urv recording 1\n"
+    path.write_text(path.read_text("ascii") + "urv recording 2\n"
                     + recordings.line_of(rows[1]), "ascii")
     assert recordings.Recording(path).rows == [rows[1]]
 
