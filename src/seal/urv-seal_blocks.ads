@@ -288,16 +288,18 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
       Sender : Station;
       Number : Counter;
       Echo   : Counter) return Message
-   is
-     ((Length => Message_Length (Covered (Sender)) + 8,
-       Bytes  =>
-         [for Where in Message_Index =>
-            (if Where <= 4 then Byte_Of (Number, Byte_Index (Where))
-             elsif Where <= 8 then Byte_Of (Echo, Byte_Index (Where - 4))
-             elsif Where <= Message_Length (Covered (Sender)) + 8
-             then Block (Byte_Index (Where - 8))
-             else 0)]))
-   with Global => null;
+   with
+     Global => null,
+     Post   =>
+       Message_Of'Result.Length = Message_Length (Covered (Sender)) + 8
+       and then
+         (for all Where in Message_Index =>
+            Message_Of'Result.Bytes (Where) =
+              (if Where <= 4 then Byte_Of (Number, Byte_Index (Where))
+               elsif Where <= 8 then Byte_Of (Echo, Byte_Index (Where - 4))
+               elsif Where <= Message_Length (Covered (Sender)) + 8
+               then Block (Byte_Index (Where - 8))
+               else 0));
 
    function Tag_Of
      (Block    : Block_Data;

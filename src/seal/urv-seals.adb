@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Interfaces; use Interfaces;
+
 package body URV.Seals with SPARK_Mode is
 
    --  In place: a seal is long, and a frame passes in each frame.
@@ -51,6 +53,56 @@ package body URV.Seals with SPARK_Mode is
       pragma Assert (This.Turn = After_Frames (Was, Frames).Turn);
    end Pass;
 
+   --  A block of the active session, in place.
+   procedure Take
+     (This : in out Session; Block : Block_Data; Sender : Station)
+   with
+     Global => null,
+     Pre    => Opens (Block, Sender, This),
+     Post   => This = With_Newest (This'Old, Block, Sender);
+
+   procedure Add_Tag
+     (Block : in out Block_Data; Sender : Station; Item : Unsigned_64)
+   with
+     Global => null,
+     Post   => Block = With_Tag (Block'Old, Sender, Item);
+
+   procedure Take
+     (This : in out Session; Block : Block_Data; Sender : Station)
+   is
+      Number : constant Counter := Number_Of (Block, Sender, This);
+      Echo   : constant Counter := Echo_Of (Block, Sender, This);
+   begin
+      if Echo > 0 and then Echo >= By_Reference (This, Number) then
+         This :=
+           (This with delta
+              Newest     => Number,
+              Taken_At   => This.Age,
+              Reference  => Number,
+              Not_Before => Echo);
+      else
+         This.Newest := Number;
+         This.Taken_At := This.Age;
+      end if;
+   end Take;
+
+   procedure Add_Tag
+     (Block : in out Block_Data; Sender : Station; Item : Unsigned_64)
+   is
+      Last : constant Byte_Index := Covered (Sender);
+   begin
+      Block (Last + 1) := Tag_Byte (Item, 1);
+      Block (Last + 2) := Tag_Byte (Item, 2);
+      Block (Last + 3) := Tag_Byte (Item, 3);
+      Block (Last + 4) := Tag_Byte (Item, 4);
+      Block (Last + 5) := Tag_Byte (Item, 5);
+      Block (Last + 6) := Tag_Byte (Item, 6);
+      if Sender = Aircraft then
+         Block (Last + 7) := Tag_Byte (Item, 7);
+         Block (Last + 8) := Tag_Byte (Item, 8);
+      end if;
+   end Add_Tag;
+
    procedure Open
      (This    : in out Seal;
       Block   : Block_Data;
@@ -59,15 +111,20 @@ package body URV.Seals with SPARK_Mode is
       Result  : out Outcome) is
    begin
       Result := Outcome_Of (This, Block, Arrived);
-      if This.Format = 2 then
-         This := After (This, Block, Result);
-      end if;
       if Result not in Taken then
          Words := [others => 0];
       elsif This.Format = 1 then
          Words := Decode (Block, Words_Of (Other (This.Role)));
       else
          Words := Unpacked (Block, Other (This.Role));
+      end if;
+      if This.Format = 2 and then Result = Opened then
+         Take (This.Active, Block, Other (This.Role));
+         This.In_Doubt := False;
+         This.Silence := 0;
+      elsif This.Format = 2 and then Result in Opened_New_Session | Hello_Taken
+      then
+         This := After (This, Block, Result);
       end if;
    end Open;
 
@@ -79,8 +136,16 @@ package body URV.Seals with SPARK_Mode is
       end if;
       if This.Format = 1 then
          Block := Encode (Data, Words_Of (This.Role));
+      elsif Sends_Hello (This) then
+         Block := Closed_Hello (This);
       else
-         Block := Closed (This, Data);
+         Block := Packed
+           (Data, This.Role, This.Active.Age, Echo_Now (This.Active));
+         Add_Tag
+           (Block, This.Role,
+            Tag_Of
+              (Block, This.Role, This.Active.Age, Echo_Now (This.Active),
+               Key_Of (This.Active, This.Role)));
       end if;
    end Close;
 

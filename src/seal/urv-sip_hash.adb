@@ -2,8 +2,11 @@
 
 package body URV.Sip_Hash with SPARK_Mode is
 
+   --  One procedure for all rounds: in line they would lack registers on a
+   --  small processor.
    procedure Mix (S : in out State)
    with
+     No_Inline,
      Global => null,
      Post   => S = Round (S'Old);
 
@@ -27,6 +30,31 @@ package body URV.Sip_Hash with SPARK_Mode is
       pragma Assert (S = Crossed (Half_Round (Crossed (Half), 17, 21)));
    end Mix;
 
+   --  A word that the message fills.
+   function Whole_Word (This : Message; Which : Word_Number)
+                        return Unsigned_64
+   with
+     Global => null,
+     Pre    => 8 * Natural (Which) + 8 <= Natural (This.Length),
+     Post   => Whole_Word'Result = Word_At (This, Which);
+
+   function Whole_Word (This : Message; Which : Word_Number)
+                        return Unsigned_64
+   is
+      First : constant Message_Length := 8 * Message_Length (Which);
+
+      function Half (Before : Message_Length) return Unsigned_32 is
+        (Unsigned_32 (This.Bytes (Before + 1))
+         or Shift_Left (Unsigned_32 (This.Bytes (Before + 2)), 8)
+         or Shift_Left (Unsigned_32 (This.Bytes (Before + 3)), 16)
+         or Shift_Left (Unsigned_32 (This.Bytes (Before + 4)), 24))
+      with Pre => Before <= Message_Length'Last - 4;
+
+   begin
+      return Unsigned_64 (Half (First))
+        or Shift_Left (Unsigned_64 (Half (First + 4)), 32);
+   end Whole_Word;
+
    function Tag (This : Message; With_Key : Key) return Unsigned_64 is
       S    : State := Initial (With_Key);
       Data : Unsigned_64;
@@ -35,7 +63,9 @@ package body URV.Sip_Hash with SPARK_Mode is
    begin
       for Which in Word_Count range 0 .. Words_Of (This) - 1 loop
          Before := S;
-         Data := Word_At (This, Which);
+         Data :=
+           (if 8 * Natural (Which) + 8 <= Natural (This.Length)
+            then Whole_Word (This, Which) else Word_At (This, Which));
          S.V3 := S.V3 xor Data;
          Mix (S);
          Mix (S);
