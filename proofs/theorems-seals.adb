@@ -273,6 +273,11 @@ package body Theorems.Seals with SPARK_Mode is
       Open (Item, Block, True, Words, Result);
    end A_Refused_Block_Changes_Nothing;
 
+   procedure Keys_Remain
+     (Item   : URV.Handshakes.Seal;
+      Block  : Block_Data;
+      Frames : Counter) is null;
+
    procedure Own_Nonces_Are_Used_Once
      (Item   : in out URV.Handshakes.Seal;
       Block  : Block_Data;

@@ -328,6 +328,26 @@ package Theorems.Seals with SPARK_Mode, Ghost is
         then Item = Item'Old
           and then (for all Each of Words => Each = 0));
 
+   --  A node's keys, and those of its hellos, remain as configured: whatever
+   --  comes, is sent, or passes.
+   procedure Keys_Remain
+     (Item   : URV.Handshakes.Seal;
+      Block  : Block_Data;
+      Frames : Counter)
+   with
+     Global => null,
+     Post   =>
+       After (Item, Block, Outcome_Of (Item, Block, True)).Keys = Item.Keys
+       and then
+         After (Item, Block, Outcome_Of (Item, Block, True)).Hellos =
+           Item.Hellos
+       and then After_Frames (Item, Frames).Keys = Item.Keys
+       and then After_Frames (Item, Frames).Hellos = Item.Hellos
+       and then Renewed (Item).Keys = Item.Keys
+       and then Renewed (Item).Hellos = Item.Hellos
+       and then Restarted (Item).Keys = Item.Keys
+       and then Restarted (Item).Hellos = Item.Hellos;
+
    --  A session begins with a nonce of this node that it does not use again.
    procedure Own_Nonces_Are_Used_Once
      (Item   : in out URV.Handshakes.Seal;

@@ -43,10 +43,29 @@ package URV.Handshakes with Pure, SPARK_Mode is
    function None_Pending return Pending_List is ([others => No_Session])
    with Global => null;
 
+   --  The keys of hellos, by their senders. They are derived once, when the
+   --  node is configured: a hello must not cost a frame more than its tag.
+
+   type Sender_Keys is array (Station) of Key;
+   type Hello_Key_List is array (Key_Place) of Sender_Keys;
+
+   function Hello_Key (From : Key; Sender : Station) return Key is
+     (Derived
+        (From, (if Sender = Ground then Hello_Up else Hello_Down), 0, 0))
+   with Global => null;
+
+   function Hello_Keys_Of (Keys : Key_List) return Hello_Key_List is
+     ([for Place in Key_Place =>
+         [for Sender in Station =>
+            (if Keys (Place).Is_Present
+             then Hello_Key (Keys (Place).Value, Sender) else No_Key)]])
+   with Global => null;
+
    type Seal is record
       Role     : Station       := Ground;
       Format   : Format_Number := 1;
       Keys     : Key_List;
+      Hellos   : Hello_Key_List := [others => [others => No_Key]];
 
       --  The nonce of the next hello.
       Own      : Nonce         := 0;
@@ -76,6 +95,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
      ((Role     => Role,
        Format    => Format,
        Keys      => Keys,
+       Hellos    => Hello_Keys_Of (Keys),
        Own       => Start,
        Active    => No_Session,
        Pending   => None_Pending,
@@ -119,9 +139,13 @@ package URV.Handshakes with Pure, SPARK_Mode is
      (Key_Number (Block (2)))
    with Global => null;
 
-   function Hello_Key (From : Key; Sender : Station) return Key is
-     (Derived
-        (From, (if Sender = Ground then Hello_Up else Hello_Down), 0, 0))
+   function Found_Hello_Key
+     (This : Seal; Number : Key_Number; Sender : Station) return Key
+   is
+     (if This.Keys (First).Is_Present
+        and then This.Keys (First).Number = Number
+      then This.Hellos (First) (Sender)
+      else This.Hellos (Second) (Sender))
    with Global => null;
 
    function Is_True (This : Seal; Block : Block_Data) return Boolean is
@@ -129,9 +153,8 @@ package URV.Handshakes with Pure, SPARK_Mode is
         (Block, Other (This.Role),
          Tag_Of
            (Block, Other (This.Role), 0, 0,
-            Hello_Key
-              (Found (This.Keys, Hello_Number (Block)),
-               Other (This.Role)))))
+            Found_Hello_Key
+              (This, Hello_Number (Block), Other (This.Role)))))
    with Global => null;
 
    --  The ground calls: it sends a hello and accepts an answer to its nonce

@@ -72,41 +72,132 @@ package body URV.Seal_Blocks with SPARK_Mode is
       return Result;
    end Unpacked;
 
-   function Message_Of
-     (Block  : Block_Data;
-      Sender : Station;
-      Number : Counter;
-      Echo   : Counter) return Message
+   --  Each byte by its own number: it needs no shift by a variable.
+   function Hello
+     (Number   : Key_Number;
+      Own      : Nonce;
+      Answered : Nonce) return Block_Data
    is
-      Result : Message :=
-        (Length => Message_Length (Covered (Sender)) + 8,
-         Bytes  =>
-           [1      => Byte_Of (Number, 1),
-            2      => Byte_Of (Number, 2),
-            3      => Byte_Of (Number, 3),
-            4      => Byte_Of (Number, 4),
-            5      => Byte_Of (Echo, 1),
-            6      => Byte_Of (Echo, 2),
-            7      => Byte_Of (Echo, 3),
-            8      => Byte_Of (Echo, 4),
-            others => 0]);
-   begin
-      for Where in Byte_Index range 1 .. Covered (Sender) loop
-         Result.Bytes (Message_Index (Where) + 8) := Block (Where);
+     ([1      => Hello_Mark,
+       2      => Byte (Number),
+       3      => Byte_Of (Own, 1),
+       4      => Byte_Of (Own, 2),
+       5      => Byte_Of (Own, 3),
+       6      => Byte_Of (Own, 4),
+       7      => Byte_Of (Own, 5),
+       8      => Byte_Of (Own, 6),
+       9      => Byte_Of (Own, 7),
+       10     => Byte_Of (Own, 8),
+       11     => Byte_Of (Answered, 1),
+       12     => Byte_Of (Answered, 2),
+       13     => Byte_Of (Answered, 3),
+       14     => Byte_Of (Answered, 4),
+       15     => Byte_Of (Answered, 5),
+       16     => Byte_Of (Answered, 6),
+       17     => Byte_Of (Answered, 7),
+       18     => Byte_Of (Answered, 8),
+       others => 0]);
 
-         pragma Loop_Invariant
-           (Result.Length = Message_Length (Covered (Sender)) + 8);
-         pragma Loop_Invariant
-           (for all Each in Message_Index =>
-              Result.Bytes (Each) =
-                (if Each <= 4 then Byte_Of (Number, Byte_Index (Each))
-                 elsif Each <= 8 then Byte_Of (Echo, Byte_Index (Each - 4))
-                 elsif Each <= Message_Index (Where) + 8
-                 then Block (Byte_Index (Each - 8))
-                 else 0));
+   pragma Compile_Time_Error
+     (Uplink_Covered mod 8 /= 6 or else Downlink_Covered mod 8 /= 0,
+      "Last_Word must have the bytes after the last whole word");
+
+   --  The whole words that the tag covers, from 1 as in the message.
+   function Whole_Words (Sender : Station) return Word_Number is
+     (if Sender = Ground then Uplink_Covered / 8 else Downlink_Covered / 8)
+   with Global => null;
+
+   function First_Word (Number : Counter; Echo : Counter) return Unsigned_64 is
+     (Joined
+        (Half_Of
+           (Byte_Of (Number, 1), Byte_Of (Number, 2),
+            Byte_Of (Number, 3), Byte_Of (Number, 4)),
+         Half_Of
+           (Byte_Of (Echo, 1), Byte_Of (Echo, 2),
+            Byte_Of (Echo, 3), Byte_Of (Echo, 4))))
+   with Global => null;
+
+   function Half_At (Block : Block_Data; First : Byte_Index)
+                     return Unsigned_32
+   is
+     (Half_Of
+        (Block (First), Block (First + 1), Block (First + 2),
+         Block (First + 3)))
+   with
+     Global => null,
+     Pre    => First <= Byte_Index'Last - 3;
+
+   --  The first byte of a word.
+   function Place_Of (Which : Word_Number) return Byte_Index is
+     (8 * Byte_Index (Which) - 7)
+   with
+     Global => null,
+     Pre    => Which in 1 .. 6;
+
+   function Last_Word (Block : Block_Data; Sender : Station)
+                       return Unsigned_64
+   is
+     (if Sender = Ground
+      then Joined
+        (Half_At (Block, Uplink_Covered - 5),
+         Half_Of
+           (Block (Uplink_Covered - 1), Block (Uplink_Covered), 0,
+            Uplink_Covered + 8))
+      else Joined (0, Half_Of (0, 0, 0, Downlink_Covered + 8)))
+   with Global => null;
+
+   function Tag_Of
+     (Block    : Block_Data;
+      Sender   : Station;
+      Number   : Counter;
+      Echo     : Counter;
+      With_Key : Key) return Unsigned_64
+   is
+      Covering : constant Message := Message_Of (Block, Sender, Number, Echo)
+      with Ghost;
+
+      S : State := Initial (With_Key);
+   begin
+      pragma Assert (First_Word (Number, Echo) = Word_At (Covering, 0));
+      Absorb (S, First_Word (Number, Echo));
+      for Which in Word_Number range 1 .. Whole_Words (Sender) loop
+         pragma Assert
+           (Joined
+              (Half_At (Block, Place_Of (Which)),
+               Half_At (Block, Place_Of (Which) + 4))
+              = Word_At (Covering, Which));
+         Absorb
+           (S,
+            Joined
+              (Half_At (Block, Place_Of (Which)),
+               Half_At (Block, Place_Of (Which) + 4)));
+         pragma Loop_Invariant (S = After (Covering, With_Key, Which + 1));
       end loop;
-      return Result;
-   end Message_Of;
+      if Sender = Ground then
+         pragma Assert
+           (for all Where in Byte_Number range 0 .. 5 =>
+              Padded (Covering, 3, Where) =
+                Block (Byte_Index (Where + (Uplink_Covered - 5))));
+         pragma Assert (Padded (Covering, 3, 6) = 0);
+         pragma Assert (Padded (Covering, 3, 7) = Uplink_Covered + 8);
+         pragma Assert (Last_Word (Block, Sender) = Word_At (Covering, 3));
+      else
+         pragma Assert
+           (for all Where in Byte_Number range 0 .. 6 =>
+              Padded (Covering, 7, Where) = 0);
+         pragma Assert (Padded (Covering, 7, 7) = Downlink_Covered + 8);
+         pragma Assert (Last_Word (Block, Sender) = Word_At (Covering, 7));
+      end if;
+      pragma Assert
+        (Last_Word (Block, Sender) =
+           Word_At (Covering, Whole_Words (Sender) + 1));
+      pragma Assert (S = After (Covering, With_Key, Whole_Words (Sender) + 1));
+      Absorb (S, Last_Word (Block, Sender));
+      pragma Assert (S = After (Covering, With_Key, Whole_Words (Sender) + 2));
+      pragma Assert
+        (URV.Sip_Hash.Words_Of (Covering) = Whole_Words (Sender) + 2);
+      return Last_Tag (S);
+   end Tag_Of;
 
    --  The comparison takes the same time wherever the tag is wrong (SEC-2).
    function Has_Tag

@@ -269,16 +269,16 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
      (Number   : Key_Number;
       Own      : Nonce;
       Answered : Nonce) return Block_Data
-   is
-     ([for Where in Byte_Index =>
-         (if Where = 1 then Hello_Mark
-          elsif Where = 2 then Byte (Number)
-          elsif Where in 3 .. 10 then Byte_Of (Own, Where - 2)
-          elsif Where in 11 .. 18 then Byte_Of (Answered, Where - 10)
-          else 0)])
-   with Global => null;
-
-   --  The tag
+   with
+     Global => null,
+     Post   =>
+       (for all Where in Byte_Index =>
+          Hello'Result (Where) =
+            (if Where = 1 then Hello_Mark
+             elsif Where = 2 then Byte (Number)
+             elsif Where in 3 .. 10 then Byte_Of (Own, Where - 2)
+             elsif Where in 11 .. 18 then Byte_Of (Answered, Where - 10)
+             else 0));
 
    --  The message under the tag: the full number and echo of the block, and
    --  the bytes before the tag. An uplink carries only the remainders of both
@@ -288,27 +288,29 @@ package URV.Seal_Blocks with Pure, SPARK_Mode is
       Sender : Station;
       Number : Counter;
       Echo   : Counter) return Message
-   with
-     Global => null,
-     Post   =>
-       Message_Of'Result.Length = Message_Length (Covered (Sender)) + 8
-       and then
-         (for all Where in Message_Index =>
-            Message_Of'Result.Bytes (Where) =
-              (if Where <= 4 then Byte_Of (Number, Byte_Index (Where))
-               elsif Where <= 8 then Byte_Of (Echo, Byte_Index (Where - 4))
-               elsif Where <= Message_Length (Covered (Sender)) + 8
-               then Block (Byte_Index (Where - 8))
-               else 0));
+   is
+     ((Length => Message_Length (Covered (Sender)) + 8,
+       Bytes  =>
+         [for Where in Message_Index =>
+            (if Where <= 4 then Byte_Of (Number, Byte_Index (Where))
+             elsif Where <= 8 then Byte_Of (Echo, Byte_Index (Where - 4))
+             elsif Where <= Message_Length (Covered (Sender)) + 8
+             then Block (Byte_Index (Where - 8))
+             else 0)]))
+   with Ghost, Global => null;
 
+   --  The block's bytes are hashed in place.
    function Tag_Of
      (Block    : Block_Data;
       Sender   : Station;
       Number   : Counter;
       Echo     : Counter;
       With_Key : Key) return Unsigned_64
-   is (Tag (Message_Of (Block, Sender, Number, Echo), With_Key))
-   with Global => null;
+   with
+     Global => null,
+     Post   =>
+       Tag_Of'Result =
+         Reference (Message_Of (Block, Sender, Number, Echo), With_Key);
 
    --  A byte of the tag, the low byte first. An uplink has the first six.
    function Tag_Byte (Item : Unsigned_64; Where : Byte_Index) return Byte is

@@ -103,6 +103,21 @@ package body URV.Seals with SPARK_Mode is
       end if;
    end Add_Tag;
 
+   procedure Close_Hello (This : Seal; Block : out Block_Data)
+   with
+     Global => null,
+     Post   => Block = Closed_Hello (This);
+
+   procedure Close_Hello (This : Seal; Block : out Block_Data) is
+   begin
+      Block := Own_Hello (This);
+      Add_Tag
+        (Block, This.Role,
+         Tag_Of
+           (Block, This.Role, 0, 0,
+            Found_Hello_Key (This, Hello_Number (Block), This.Role)));
+   end Close_Hello;
+
    procedure Open
      (This    : in out Seal;
       Block   : Block_Data;
@@ -137,7 +152,7 @@ package body URV.Seals with SPARK_Mode is
       if This.Format = 1 then
          Block := Encode (Data, Words_Of (This.Role));
       elsif Sends_Hello (This) then
-         Block := Closed_Hello (This);
+         Close_Hello (This, Block);
       else
          Block := Packed
            (Data, This.Role, This.Active.Age, Echo_Now (This.Active));

@@ -193,9 +193,8 @@ package URV.Seals with Pure, SPARK_Mode is
         (Own_Hello (This), This.Role,
          Tag_Of
            (Own_Hello (This), This.Role, 0, 0,
-            Hello_Key
-              (Found (This.Keys, Hello_Number (Own_Hello (This))),
-               This.Role))))
+            Found_Hello_Key
+              (This, Hello_Number (Own_Hello (This)), This.Role))))
    with Global => null;
 
    function Sealed

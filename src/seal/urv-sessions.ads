@@ -15,6 +15,7 @@
 --  the drift of the clocks. A block that may be older than Most_Age is
 --  refused.
 
+with Interfaces;      use Interfaces;
 with Telemetry;       use Telemetry;
 with URVOS;           use URVOS;
 with URV.Seal_Blocks; use URV.Seal_Blocks;
@@ -66,7 +67,7 @@ package URV.Sessions with Pure, SPARK_Mode is
          when 3 .. 10  => Byte_Of (Ground_Nonce, Byte_Index (Where - 2)),
          when 11 .. 18 => Byte_Of (Aircraft_Nonce, Byte_Index (Where - 10)),
          when others   => 0)
-   with Global => null;
+   with Ghost, Global => null;
 
    function Derivation
      (For_Use        : Use_Of_Key;
@@ -79,19 +80,20 @@ package URV.Sessions with Pure, SPARK_Mode is
          [for Where in Message_Index =>
             Derivation_Byte
               (Where, For_Use, Half, Ground_Nonce, Aircraft_Nonce)]))
-   with Global => null;
+   with Ghost, Global => null;
 
    function Derived
      (From           : Key;
       For_Use        : Use_Of_Key;
       Ground_Nonce   : Nonce;
       Aircraft_Nonce : Nonce) return Key
-   is
-     ((K0 => Tag
-         (Derivation (For_Use, 0, Ground_Nonce, Aircraft_Nonce), From),
-       K1 => Tag
-         (Derivation (For_Use, 1, Ground_Nonce, Aircraft_Nonce), From)))
-   with Global => null;
+   with
+     Global => null,
+     Post   =>
+       Derived'Result.K0 = Reference
+         (Derivation (For_Use, 0, Ground_Nonce, Aircraft_Nonce), From)
+       and then Derived'Result.K1 = Reference
+         (Derivation (For_Use, 1, Ground_Nonce, Aircraft_Nonce), From);
 
    --  A session ends at this age, after 93 hours. A downlink's number has
    --  three bytes.

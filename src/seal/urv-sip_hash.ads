@@ -4,7 +4,8 @@
 --  It computes the tags of sealed blocks and derives session keys (SEC-2).
 --
 --  Round, Absorbed and Reference state the paper's definition as functions.
---  Tag is the implementation, proved equal to Reference.
+--  Initial, Absorb and Last_Tag are the implementation, proved equal to them.
+--  Callers that have no Message absorb its words themselves.
 
 with Interfaces; use Interfaces;
 with URVOS;      use URVOS;
@@ -28,6 +29,19 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
       Bytes  : Octets         := (others => 0);
    end record
    with Alignment => 2;
+
+   --  Halves of a word, the low byte first, and a word.
+
+   function Half_Of (A, B, C, D : Byte) return Unsigned_32 is
+     (Unsigned_32 (A)
+      or Shift_Left (Unsigned_32 (B), 8)
+      or Shift_Left (Unsigned_32 (C), 16)
+      or Shift_Left (Unsigned_32 (D), 24))
+   with Global => null;
+
+   function Joined (Low, High : Unsigned_32) return Unsigned_64 is
+     (Unsigned_64 (Low) or Shift_Left (Unsigned_64 (High), 32))
+   with Global => null;
 
    --  The paper's words of 8 bytes: the message, zeros, and in the last byte
    --  of the last word the length.
@@ -55,14 +69,13 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
      (This  : Message;
       Which : Word_Number) return Unsigned_64
    is
-     (Unsigned_64 (Padded (This, Which, 0))
-      or Shift_Left (Unsigned_64 (Padded (This, Which, 1)), 8)
-      or Shift_Left (Unsigned_64 (Padded (This, Which, 2)), 16)
-      or Shift_Left (Unsigned_64 (Padded (This, Which, 3)), 24)
-      or Shift_Left (Unsigned_64 (Padded (This, Which, 4)), 32)
-      or Shift_Left (Unsigned_64 (Padded (This, Which, 5)), 40)
-      or Shift_Left (Unsigned_64 (Padded (This, Which, 6)), 48)
-      or Shift_Left (Unsigned_64 (Padded (This, Which, 7)), 56))
+     (Joined
+        (Half_Of
+           (Padded (This, Which, 0), Padded (This, Which, 1),
+            Padded (This, Which, 2), Padded (This, Which, 3)),
+         Half_Of
+           (Padded (This, Which, 4), Padded (This, Which, 5),
+            Padded (This, Which, 6), Padded (This, Which, 7))))
    with Global => null;
 
    --  The state, and a SipRound: two halves of the same shape.
@@ -132,6 +145,20 @@ package URV.Sip_Hash with Pure, SPARK_Mode is
       With_Key : Key) return Unsigned_64
    is (Folded (Finished (After (This, With_Key, Words_Of (This)))))
    with Ghost, Global => null;
+
+   --  Two rounds for a word, in place. In line everywhere they would lack
+   --  registers.
+   procedure Absorb (S : in out State; Data : Unsigned_64)
+   with
+     No_Inline,
+     Global => null,
+     Post   => S = Absorbed (S'Old, Data);
+
+   --  The tag after the last word.
+   function Last_Tag (S : State) return Unsigned_64
+   with
+     Global => null,
+     Post   => Last_Tag'Result = Folded (Finished (S));
 
    function Tag (This : Message; With_Key : Key) return Unsigned_64
    with
