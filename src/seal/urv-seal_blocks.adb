@@ -98,13 +98,15 @@ package body URV.Seal_Blocks with SPARK_Mode is
        18     => Byte_Of (Answered, 8),
        others => 0]);
 
-   pragma Compile_Time_Error
-     (Uplink_Covered mod 8 /= 6 or else Downlink_Covered mod 8 /= 0,
-      "Last_Word must have the bytes after the last whole word");
+   --  The whole words that the tag covers, and the bytes after them.
+   Uplink_Whole   : constant := Uplink_Covered / 8;
+   Uplink_Rest    : constant := Uplink_Covered mod 8;
+   Downlink_Whole : constant := Downlink_Covered / 8;
+   Downlink_Rest  : constant := Downlink_Covered mod 8;
 
-   --  The whole words that the tag covers, from 1 as in the message.
+   --  The whole words are those from 1 on in the message.
    function Whole_Words (Sender : Station) return Word_Number is
-     (if Sender = Ground then Uplink_Covered / 8 else Downlink_Covered / 8)
+     (if Sender = Ground then Uplink_Whole else Downlink_Whole)
    with Global => null;
 
    function First_Word (Number : Counter; Echo : Counter) return Unsigned_64 is
@@ -132,19 +134,99 @@ package body URV.Seal_Blocks with SPARK_Mode is
      (8 * Byte_Index (Which) - 7)
    with
      Global => null,
-     Pre    => Which in 1 .. 6;
+     Pre    =>
+       Which in 1 .. Word_Number'Max
+         (Whole_Words (Ground), Whole_Words (Aircraft));
+
+   --  A byte after the whole words, or 0 if the tag covers no more. Whole is
+   --  the number of their bytes.
+   function Byte_After
+     (Block : Block_Data;
+      Whole : Byte_Count;
+      Rest  : Byte_Count;
+      Where : Byte_Number) return Byte
+   is
+     (if Byte_Count (Where) < Rest then Block (Whole + Byte_Count (Where) + 1)
+      else 0)
+   with
+     Inline,
+     Global => null,
+     Pre    => Rest < 8 and then Whole <= Byte_Count'Last - Rest;
+
+   --  The last word has those bytes, zeros, and the message's length.
+   function Last_Word_Of
+     (Block : Block_Data;
+      Whole : Byte_Count;
+      Rest  : Byte_Count) return Unsigned_64
+   is
+     (Joined
+        (Half_Of
+           (Byte_After (Block, Whole, Rest, 0),
+            Byte_After (Block, Whole, Rest, 1),
+            Byte_After (Block, Whole, Rest, 2),
+            Byte_After (Block, Whole, Rest, 3)),
+         Half_Of
+           (Byte_After (Block, Whole, Rest, 4),
+            Byte_After (Block, Whole, Rest, 5),
+            Byte_After (Block, Whole, Rest, 6),
+            Byte (Whole + Rest) + 8)))
+   with
+     Inline,
+     Global => null,
+     Pre    => Rest < 8 and then Whole <= Byte_Count'Last - Rest;
 
    function Last_Word (Block : Block_Data; Sender : Station)
                        return Unsigned_64
    is
      (if Sender = Ground
-      then Joined
-        (Half_At (Block, Uplink_Covered - 5),
-         Half_Of
-           (Block (Uplink_Covered - 1), Block (Uplink_Covered), 0,
-            Uplink_Covered + 8))
-      else Joined (0, Half_Of (0, 0, 0, Downlink_Covered + 8)))
+      then Last_Word_Of (Block, 8 * Uplink_Whole, Uplink_Rest)
+      else Last_Word_Of (Block, 8 * Downlink_Whole, Downlink_Rest))
    with Global => null;
+
+   procedure Prove_Last_Word
+     (Block  : Block_Data;
+      Sender : Station;
+      Number : Counter;
+      Echo   : Counter)
+   with
+     Ghost,
+     Global => null,
+     Post   =>
+       Last_Word (Block, Sender) =
+         Word_At
+           (Message_Of (Block, Sender, Number, Echo),
+            Whole_Words (Sender) + 1);
+
+   procedure Prove_Last_Word
+     (Block  : Block_Data;
+      Sender : Station;
+      Number : Counter;
+      Echo   : Counter)
+   is
+      Covering : constant Message := Message_Of (Block, Sender, Number, Echo);
+   begin
+      if Sender = Ground then
+         pragma Assert
+           (for all Where in Byte_Number range 0 .. 6 =>
+              Padded (Covering, Uplink_Whole + 1, Where) =
+                Byte_After (Block, 8 * Uplink_Whole, Uplink_Rest, Where));
+         pragma Assert
+           (Padded (Covering, Uplink_Whole + 1, 7) = Uplink_Covered + 8);
+         pragma Assert
+           (Last_Word (Block, Sender) =
+              Word_At (Covering, Uplink_Whole + 1));
+      else
+         pragma Assert
+           (for all Where in Byte_Number range 0 .. 6 =>
+              Padded (Covering, Downlink_Whole + 1, Where) =
+                Byte_After (Block, 8 * Downlink_Whole, Downlink_Rest, Where));
+         pragma Assert
+           (Padded (Covering, Downlink_Whole + 1, 7) = Downlink_Covered + 8);
+         pragma Assert
+           (Last_Word (Block, Sender) =
+              Word_At (Covering, Downlink_Whole + 1));
+      end if;
+   end Prove_Last_Word;
 
    function Tag_Of
      (Block    : Block_Data;
@@ -173,24 +255,7 @@ package body URV.Seal_Blocks with SPARK_Mode is
                Half_At (Block, Place_Of (Which) + 4)));
          pragma Loop_Invariant (S = After (Covering, With_Key, Which + 1));
       end loop;
-      if Sender = Ground then
-         pragma Assert
-           (for all Where in Byte_Number range 0 .. 5 =>
-              Padded (Covering, 3, Where) =
-                Block (Byte_Index (Where + (Uplink_Covered - 5))));
-         pragma Assert (Padded (Covering, 3, 6) = 0);
-         pragma Assert (Padded (Covering, 3, 7) = Uplink_Covered + 8);
-         pragma Assert (Last_Word (Block, Sender) = Word_At (Covering, 3));
-      else
-         pragma Assert
-           (for all Where in Byte_Number range 0 .. 6 =>
-              Padded (Covering, 7, Where) = 0);
-         pragma Assert (Padded (Covering, 7, 7) = Downlink_Covered + 8);
-         pragma Assert (Last_Word (Block, Sender) = Word_At (Covering, 7));
-      end if;
-      pragma Assert
-        (Last_Word (Block, Sender) =
-           Word_At (Covering, Whole_Words (Sender) + 1));
+      Prove_Last_Word (Block, Sender, Number, Echo);
       pragma Assert (S = After (Covering, With_Key, Whole_Words (Sender) + 1));
       Absorb (S, Last_Word (Block, Sender));
       pragma Assert (S = After (Covering, With_Key, Whole_Words (Sender) + 2));
