@@ -71,7 +71,7 @@ package URV.Recorder_Rows with Pure, SPARK_Mode is
    Servo_Count   : constant := PWM_Item'Pos (PWM_Item'Last) + 1;
    Law_Count     : constant := 6;
 
-   --  Of the test cards, of the number of errors, of the last word.
+   --  The places of the test cards, the number of errors, the last word.
    Card_Place  : constant :=
      5 + Sensor_Count + Command_Count + Servo_Count + Law_Count;
    Error_Place : constant := Card_Place + 1;
