@@ -4,6 +4,41 @@ with Interfaces; use Interfaces;
 
 package body URV.Seals with SPARK_Mode is
 
+   procedure Configure
+     (This   : in out Seal;
+      Format : Format_Number;
+      Keys   : Key_List;
+      Start  : Nonce) is
+   begin
+      This.Format := Format;
+      This.Keys := Keys;
+      This.Hellos := Hello_Keys_Of (Keys);
+      This.Own := Start;
+      This.Active := No_Session;
+      This.Pending := None_Pending;
+      This.Latest := 1;
+      This.Turn := 1;
+      This.In_Doubt := False;
+      This.Silence := 0;
+   end Configure;
+
+   --  The result of Restarted. Without a contract the proof has the statements
+   --  themselves.
+   procedure Forget_Sessions (This : in out Seal);
+
+   procedure Forget_Sessions (This : in out Seal) is
+   begin
+      This.Own := This.Own + 1;
+      This.Active := No_Session;
+      This.Pending := None_Pending;
+      This.In_Doubt := False;
+   end Forget_Sessions;
+
+   procedure Restart (This : in out Seal) is
+   begin
+      Forget_Sessions (This);
+   end Restart;
+
    --  In place: a seal is long, and a frame passes in each frame.
    procedure Grow_Older (Item : in out Session; Frames : Counter)
    with
@@ -118,14 +153,80 @@ package body URV.Seals with SPARK_Mode is
             Found_Hello_Key (This, Hello_Number (Block), This.Role)));
    end Close_Hello;
 
-   procedure Open
-     (This    : in out Seal;
-      Block   : Block_Data;
-      Arrived : Boolean;
-      Words   : out Block_Words;
-      Result  : out Outcome) is
+   --  The session that a block opens becomes the active one.
+   procedure Take_New_Session (This : in out Seal; Block : Block_Data)
+   with
+     Global => null,
+     Pre    => Opened_Place (This, Block) > 0,
+     Post   =>
+       This =
+         With_Active
+           (This'Old,
+            With_Newest
+              (This'Old.Pending
+                 (Pending_Place (Opened_Place (This'Old, Block))),
+               Block, Other (This'Old.Role)),
+            None_Pending);
+
+   procedure Take_New_Session (This : in out Seal; Block : Block_Data) is
    begin
-      Result := Outcome_Of (This, Block, Arrived);
+      This.Active := This.Pending (Pending_Place (Opened_Place (This, Block)));
+      Take (This.Active, Block, Other (This.Role));
+      This.Pending := None_Pending;
+      This.In_Doubt := False;
+      This.Silence := 0;
+   end Take_New_Session;
+
+   procedure Take_Hello (This : in out Seal; Block : Block_Data)
+   with
+     Global => null,
+     Post   => This = After_Hello (This'Old, Block);
+
+   procedure Take_Hello (This : in out Seal; Block : Block_Data) is
+   begin
+      if This.Role = Aircraft then
+         This.Latest := Next_Place (This.Latest);
+         This.Pending (This.Latest) :=
+           New_Session
+             (This.Keys, Hello_Number (Block),
+              Ground_Nonce   => Nonce_At (Block, Own_Place),
+              Aircraft_Nonce => This.Own,
+              Maker          => Aircraft);
+         This.Own := This.Own + 1;
+      elsif Is_Answer (This, Block) then
+         This.Active :=
+           New_Session
+             (This.Keys, Hello_Number (Block),
+              Ground_Nonce   => This.Own,
+              Aircraft_Nonce => Nonce_At (Block, Own_Place),
+              Maker          => Ground);
+         This.Own := This.Own + 1;
+         This.In_Doubt := False;
+         This.Silence := 0;
+      else
+         This.In_Doubt := True;
+      end if;
+   end Take_Hello;
+
+   procedure Give_Words
+     (This   : Seal;
+      Block  : Block_Data;
+      Result : Outcome;
+      Words  : out Block_Words)
+   with
+     Inline,
+     Global => null,
+     Post   =>
+       Words =
+         (if Result in Taken then Words_In (This, Block)
+          else Block_Words'[others => 0]);
+
+   procedure Give_Words
+     (This   : Seal;
+      Block  : Block_Data;
+      Result : Outcome;
+      Words  : out Block_Words) is
+   begin
       if Result not in Taken then
          Words := [others => 0];
       elsif This.Format = 1 then
@@ -133,13 +234,42 @@ package body URV.Seals with SPARK_Mode is
       else
          Words := Unpacked (Block, Other (This.Role));
       end if;
-      if This.Format = 2 and then Result = Opened then
-         Take (This.Active, Block, Other (This.Role));
-         This.In_Doubt := False;
-         This.Silence := 0;
-      elsif This.Format = 2 and then Result in Opened_New_Session | Hello_Taken
-      then
-         This := After (This, Block, Result);
+   end Give_Words;
+
+   procedure Open
+     (This    : in out Seal;
+      Block   : Block_Data;
+      Arrived : Boolean;
+      Words   : out Block_Words;
+      Result  : out Outcome)
+   is
+      Was : constant Seal := This with Ghost;
+   begin
+      Result := Outcome_Of (This, Block, Arrived);
+      Give_Words (This, Block, Result, Words);
+      if This.Format = 2 then
+         case Result is
+            when Opened             =>
+               Take (This.Active, Block, Other (This.Role));
+               This.In_Doubt := False;
+               This.Silence := 0;
+
+            when Opened_New_Session =>
+               Take_New_Session (This, Block);
+
+            when Hello_Taken        =>
+               Take_Hello (This, Block);
+
+            when others             =>
+               null;
+         end case;
+         pragma Assert
+           (if Result = Opened_New_Session
+            then This = After (Was, Block, Result));
+         pragma Assert
+           (if Result = Hello_Taken then This = After (Was, Block, Result));
+         pragma Assert
+           (if Result = Opened then This = After (Was, Block, Result));
       end if;
    end Open;
 
@@ -147,7 +277,7 @@ package body URV.Seals with SPARK_Mode is
      (This : in out Seal; Data : Block_Words; Block : out Block_Data) is
    begin
       if This.Active.Is_Present and then This.Active.Age = Last_Age then
-         This := Restarted (This);
+         Forget_Sessions (This);
       end if;
       if This.Format = 1 then
          Block := Encode (Data, Words_Of (This.Role));

@@ -2,7 +2,8 @@
 
 --  The life of a block on a sealed link (SEC-1 to SEC-5, FRM-7). TELOUT closes
 --  each block; TELIN opens each one received. Pass, Open and Close assign the
---  results of the functions here.
+--  results of the functions here. Configure and Restart are in place: a copy
+--  of a seal on a stack would be a copy of its keys (SEC-5).
 
 with Telemetry;        use Telemetry;
 with URVOS;            use URVOS;
@@ -13,6 +14,20 @@ with URV.Seal_Blocks;  use URV.Seal_Blocks;
 with URV.Sessions;     use URV.Sessions;
 
 package URV.Seals with Pure, SPARK_Mode is
+
+   procedure Configure
+     (This   : in out Seal;
+      Format : Format_Number;
+      Keys   : Key_List;
+      Start  : Nonce)
+   with
+     Global => null,
+     Post   => This = New_Seal (This'Old.Role, Format, Keys, Start);
+
+   procedure Restart (This : in out Seal)
+   with
+     Global => null,
+     Post   => This = Restarted (This'Old);
 
    --  The first pending session that a sealed block opens, or 0.
    type Pending_Count is range 0 .. Pending_Place'Last;

@@ -11,12 +11,12 @@ package body URV.Shared_Seals with SPARK_Mode is
          Keys   : Key_List;
          Start  : Nonce) is
       begin
-         Item := New_Seal (Role, Format, Keys, Start);
+         Seals.Configure (Item, Format, Keys, Start);
       end Configure;
 
       procedure Restart is
       begin
-         Item := Restarted (Item);
+         Seals.Restart (Item);
       end Restart;
 
       procedure Set_Time (Now : Clock_Tick) is
