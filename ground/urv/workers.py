@@ -99,7 +99,7 @@ def done_by(client, cargo, jobs, where="here"):
     results = queue.SimpleQueue()
 
     def ask_more():
-        wanted = AHEAD * max(1, len(client.nthreads()))
+        wanted = AHEAD * max(1, watch.workers())
         while len(asked) < wanted:
             job = next(waiting, None)
             if job is None:
@@ -148,13 +148,17 @@ class Watch:
                 f"the scheduler of {self.where} has ended or cannot be"
                 " reached")
 
+    def workers(self):
+        """How many there are; none when the scheduler does not answer."""
+        try:
+            return len(self.client.nthreads())
+        except (OSError, TimeoutError):
+            return 0
+
     def look(self):
         """Raises faults.Failed when there has been none for too long."""
         self.must_be_connected()
-        try:
-            is_there = bool(self.client.nthreads())
-        except (OSError, TimeoutError):
-            is_there = False
+        is_there = self.workers() > 0
         self.must_be_connected()
         now = time.monotonic()
         if is_there:
