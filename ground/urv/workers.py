@@ -171,7 +171,7 @@ class Watch:
     def await_a_worker(self):
         while True:
             self.look()
-            if self.client.nthreads():
+            if self.workers():
                 return
             time.sleep(LOOK_S / 4)
 
