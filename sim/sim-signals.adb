@@ -22,6 +22,12 @@ package body Sim.Signals is
    function Set (Signal : int; To : Address) return Address
      with Import, Convention => C, External_Name => "signal";
 
+   --  From Hold to Release a signal waits, even an ignored one.
+   function Hold (Signal : int) return int
+     with Import, Convention => C, External_Name => "sighold";
+   function Release (Signal : int) return int
+     with Import, Convention => C, External_Name => "sigrelse";
+
    procedure Remember (Signal : int) with Convention => C;
 
    procedure Watch (Signal : int);
@@ -33,12 +39,14 @@ package body Sim.Signals is
    Set_Aside : Address := Default;
 
    procedure Begin_Deafness is
+      Unused : constant int := Hold (Keyboard_Interrupt);
    begin
       Set_Aside := Set (Keyboard_Interrupt, Ignored);
    end Begin_Deafness;
 
    procedure End_Deafness is
       Before : constant Address := Set (Keyboard_Interrupt, Set_Aside);
+      Unused : constant int     := Release (Keyboard_Interrupt);
       pragma Unreferenced (Before);
    begin
       null;

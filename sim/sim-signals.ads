@@ -5,7 +5,8 @@
 package Sim.Signals is
 
    --  A process that is started between the two calls ignores an interrupt
-   --  from the keyboard from its very beginning.
+   --  from the keyboard from its very beginning. This program gets one that
+   --  comes between them afterwards.
    procedure Begin_Deafness;
    procedure End_Deafness;
 
