@@ -20,6 +20,9 @@ KIND = ".recording"
 """The end of the name of a recording."""
 
 TITLE = "urv recording 2"
+FIRST_TITLE = "urv recording 1"
+"""Its rows had other places."""
+
 WORDS = 72
 CONTENT = 70
 
@@ -82,6 +85,10 @@ class Recording:
     def read(self, file):
         where = faults.quoted(self.path)
         first = file.readline(len(TITLE) + 2)
+        if first == FIRST_TITLE + "\n":
+            raise faults.Refused(
+                f"{where}: a recording of version 1; this program reads"
+                " version 2. Convert it with the URV that wrote it")
         if first != TITLE + "\n":
             raise faults.Refused(f"{where}: not a recording: it does not begin"
                                  f" with \"{TITLE}\"")

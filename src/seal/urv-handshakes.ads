@@ -240,6 +240,7 @@ package URV.Handshakes with Pure, SPARK_Mode is
                else This.Pending (Each))],
          Latest   => Next_Place (This.Latest)))
    with
+     Ghost,
      Global => null,
      Post   =>
        With_Pending'Result.Pending (Next_Place (This.Latest)) = Item
@@ -270,6 +271,6 @@ package URV.Handshakes with Pure, SPARK_Mode is
            In_Doubt => False,
            Silence  => 0)
       else (This with delta In_Doubt => True))
-   with Global => null;
+   with Ghost, Global => null;
 
 end URV.Handshakes;

@@ -73,7 +73,7 @@ package URV.Seals with Pure, SPARK_Mode is
          Pending  => Pending,
          In_Doubt => False,
          Silence  => 0))
-   with Global => null;
+   with Ghost, Global => null;
 
    function After
      (This   : Seal;
@@ -98,6 +98,7 @@ package URV.Seals with Pure, SPARK_Mode is
             when Hello_Taken => After_Hello (This, Block),
             when others      => This))
    with
+     Ghost,
      Global => null,
      Pre    => Result = Outcome_Of (This, Block, True)
        or else Result = Nothing_Came;
@@ -232,7 +233,7 @@ package URV.Seals with Pure, SPARK_Mode is
      (if This.Active.Is_Present and then This.Active.Age = Last_Age
       then Restarted (This)
       else This)
-   with Global => null;
+   with Ghost, Global => null;
 
    function Closed (This : Seal; Data : Block_Words) return Block_Data is
      (if This.Format = 1 then Encode (Data, Words_Of (This.Role))

@@ -213,6 +213,15 @@ def test_fti11_rows_after_a_cold_start_are_those_of_the_file(tmp_path, rows):
     assert recordings.Recording(path).rows == [rows[1]]
 
 
+def test_fti11_a_recording_of_version_1_is_refused(tmp_path, rows):
+    path = tmp_path / "a.recording"
+    recordings.write(path, rows)
+    path.write_text(path.read_text("ascii").replace("recording 2",
+                                                    "recording 1"), "ascii")
+    with pytest.raises(faults.Refused, match="a recording of version 1"):
+        recordings.Recording(path)
+
+
 def test_fti11_another_file_is_no_recording(tmp_path):
     path = tmp_path / "a.recording"
     path.write_text("frame,time_ms\n0,20\n", "ascii")

@@ -59,29 +59,47 @@ package URVOS.Task_Managements with Pure, SPARK_Mode is
       else Clock (This.Tasks)
         + Tick
             (Ticks_Per_Major_Frame + Frame_Place'Base (Offset) - This.Place))
-   with Post => Release_Of'Result = Next_Release (Clock (This.Tasks), Offset);
+   with
+    Post =>
+      Release_Of'Result = Next_Release (Clock (This.Tasks), Offset)
+      and then Release_Frame (Release_Of'Result) = Offset
+      and then Release_Of'Result > Clock (This.Tasks);
 
    --  Loads the tasks of a tree and runs the first one. The tasks that were
    --  there before are gone.
    procedure Start
      (This : out Management; Tree : Task_Tree; Now : Clock_Tick)
-   with Post => Clock (This.Tasks) = Now;
+   with
+    Post =>
+      This.Tasks = After_Dispatch (Loaded_Tree (Tree, Now))
+      and then Clock (This.Tasks) = Now;
 
    --  Sets the time, unless the clock runs back.
    procedure Follow_Clock (This : in out Management; Now : Clock_Tick)
    with
      Post =>
-       Running_TCB (This.Tasks) = Running_TCB (This'Old.Tasks)
+       This.Tasks =
+         After_Wake
+           (This'Old.Tasks, Tick'Max (Clock (This'Old.Tasks), Now))
+       and then Running_TCB (This.Tasks) = Running_TCB (This'Old.Tasks)
        and then
          Clock (This.Tasks) = Tick'Max (Clock (This'Old.Tasks), Now);
 
    --  A task may be ready: an idle processor has to search.
    function Has_Candidate (This : Management) return Boolean is
-     (This.May_Be_Ready /= No_TCBs);
+     (This.May_Be_Ready /= No_TCBs)
+   with
+     Post =>
+       Has_Candidate'Result
+       or else After_Dispatch (This.Tasks) = This.Tasks;
 
    --  Gives an idle processor to the next task, if any.
    procedure Search (This : in out Management)
-   with Inline, Post => Clock (This.Tasks) = Clock (This'Old.Tasks);
+   with
+     Inline,
+     Post =>
+       This.Tasks = After_Dispatch (This'Old.Tasks)
+       and then Clock (This.Tasks) = Clock (This'Old.Tasks);
 
    --  The running task sleeps until a tick of the minor frame Released_In.
    procedure Put_To_Sleep
@@ -94,7 +112,9 @@ package URVOS.Task_Managements with Pure, SPARK_Mode is
        not Is_Idle (This.Tasks)
        and then Released_In =
          Release_Frame (Tick'Max (Until_Tick, Clock (This.Tasks) + 1)),
-     Post => Clock (This.Tasks) = Clock (This'Old.Tasks);
+     Post =>
+       This.Tasks = After_Sleep (This'Old.Tasks, Until_Tick)
+       and then Clock (This.Tasks) = Clock (This'Old.Tasks);
 
    --  The running task gives the processor to a ready task of higher priority,
    --  if any.
@@ -103,7 +123,8 @@ package URVOS.Task_Managements with Pure, SPARK_Mode is
      Inline,
      Pre  => not Is_Idle (This.Tasks),
      Post =>
-       Clock (This.Tasks) = Clock (This'Old.Tasks)
+       This.Tasks = After_Exit (This'Old.Tasks)
+       and then Clock (This.Tasks) = Clock (This'Old.Tasks)
        and then not Is_Idle (This.Tasks);
 
    --  The running task ends.
@@ -111,6 +132,8 @@ package URVOS.Task_Managements with Pure, SPARK_Mode is
    with
      Inline,
      Pre  => not Is_Idle (This.Tasks),
-     Post => Clock (This.Tasks) = Clock (This'Old.Tasks);
+     Post =>
+       This.Tasks = After_Terminate (This'Old.Tasks)
+       and then Clock (This.Tasks) = Clock (This'Old.Tasks);
 
 end URVOS.Task_Managements;
