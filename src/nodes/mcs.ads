@@ -102,7 +102,7 @@ package MCS with SPARK_Mode is
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
 
-   Law_Memory : URV.Shared_Laws.Memories.Store;
+   Law_Memory : URV.Shared_Laws.Memory_Store;
 
    Law_Record : URV.Shared_Laws.Records.Store;
 

@@ -1,7 +1,9 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  A node's seal, shared by TELIN, TELOUT and the node's start (SEC-1).
+--  A node's seal, shared by TELIN, TELOUT and the node's start (SEC-1). By its
+--  priority a bare machine masks no interrupts while a block is sealed.
 
+with System;
 with Telemetry;        use Telemetry;
 with URVOS.Frames;     use URVOS.Frames;
 with URV.Handshakes;   use URV.Handshakes;
@@ -27,7 +29,9 @@ package URV.Shared_Seals with SPARK_Mode is
           (Now / Ticks_Per_Major_Frame - Before / Ticks_Per_Major_Frame,
            Tick (Last_Age)));
 
-   protected type Shared_Seal (Role : Station) is
+   protected type Shared_Seal (Role : Station)
+     with Priority => System.Priority'Last
+   is
 
       --  Call it before the node is switched on. Without it the format is 1.
       procedure Configure

@@ -23,9 +23,9 @@ package URV.LAW_Reports with SPARK_Mode is
       Invalid_Low, Invalid_High, Failed : Word;
    end record;
 
-   --  Words are those that the flight recorder has of this memory.
-   function State_Of (Memory : Kept; Words : Law_Words) return State is
-     ((Link         => Memory.Flown.Link.State,
+   --  Words are those that the flight recorder has of the memory.
+   function State_Of (Link : Link_State; Words : Law_Words) return State is
+     ((Link         => Link,
        Invalid_Low  => Words (2),
        Invalid_High => Words (3),
        Failed       => Words (5)))

@@ -5,13 +5,14 @@ with URV.Errors;    use URV.Errors;
 with URV.LAW_Reports;
 with URV.LAW_Steps; use URV.LAW_Steps;
 with URV.Laws;
+with URV.Link_Loss;     use URV.Link_Loss;
 with URV.Recorder_Rows; use URV.Recorder_Rows;
+with URV.Test_Runs;
 
 package body URV.LAW_Task with SPARK_Mode is
 
    package Reports is new URV.LAW_Reports (Errors);
 
-   --  The decision from LAW's memory, which is copied in and out.
    procedure Decide_And_Report
      (Usual : Laws.Settings; Got : Inputs; Result : out Decision)
    with
@@ -20,19 +21,21 @@ package body URV.LAW_Task with SPARK_Mode is
    procedure Decide_And_Report
      (Usual : Laws.Settings; Got : Inputs; Result : out Decision)
    is
-      Memory   : Kept          := Law_Memory.Contents;
+      Link     : Link_State    := Law_Memory.Link;
       Recorded : Recorded_Laws := Law_Record.Contents;
       Before   : constant Reports.State :=
-        Reports.State_Of (Memory, Recorded.Laws);
+        Reports.State_Of (Link, Recorded.Laws);
+      Cards    : Test_Runs.Run;
    begin
-      Decide (Memory, Usual, Got, Result);
-      Law_Memory.Write (Memory);
-      Recorded := Shared_Laws.Recorded_Of (Memory);
+      Law_Memory.Decide (Usual, Got, Result);
+      Link := Law_Memory.Link;
+      Recorded := Law_Memory.Recorded;
+      Cards := Law_Memory.Cards;
       Law_Record.Write (Recorded);
-      Card_Shown.Write (Card_Status.Card_Word (Memory.Cards.Run));
+      Card_Shown.Write (Card_Status.Card_Word (Cards));
       Reports.Report
-        (Before, Reports.State_Of (Memory, Recorded.Laws), Usual, Got, Result,
-         Memory.Cards.Run);
+        (Before, Reports.State_Of (Link, Recorded.Laws), Usual, Got, Result,
+         Cards);
    end Decide_And_Report;
 
    procedure Run_Transaction is

@@ -29,7 +29,7 @@ generic
    PWM_Variable      : in out For_Uplink.Variable;
    Configuration_Variable : in out For_Uplink.Variable;
    Law_Settings      : in out URV.Shared_Laws.Settings.Store;
-   Law_Memory        : in out URV.Shared_Laws.Memories.Store;
+   Law_Memory        : in out URV.Shared_Laws.Memory_Store;
    Law_Record        : in out URV.Shared_Laws.Records.Store;
    Surface_Health    : in out URV.Shared_Surfaces.Healths.Store;
    Test_Added        : in out URV.Shared_Inputs.Store;

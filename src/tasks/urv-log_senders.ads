@@ -15,7 +15,7 @@ with URV.Shared_Laws;
 generic
    Errors       : in out Shared_Log;
    Law_Settings : in out URV.Shared_Laws.Settings.Store;
-   Law_Memory   : in out URV.Shared_Laws.Memories.Store;
+   Law_Memory   : in out URV.Shared_Laws.Memory_Store;
 package URV.Log_Senders with SPARK_Mode is
 
    package Senders is

@@ -4,6 +4,7 @@
 --  that records and the one that sends. Each row is written and read whole.
 --  Only a cold start clears it.
 
+with System;
 with URV.Recorder_Rings; use URV.Recorder_Rings;
 with URV.Recorder_Rows;  use URV.Recorder_Rows;
 with URV.Recorder_Steps; use URV.Recorder_Steps;
@@ -12,7 +13,7 @@ package URV.Shared_Recorders with SPARK_Mode is
 
    type Row_Array is array (Row_Place) of Row;
 
-   protected type Recorder is
+   protected type Recorder with Priority => System.Priority'Last is
 
       --  Before the node is switched on. The ring is cleared.
       procedure Set_Length (Length : Ring_Length);

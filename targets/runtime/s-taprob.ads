@@ -1,17 +1,23 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The lock of a protected object on one processor: no interrupt is taken
---  while it is held. The compiler calls this unit by these names, in line. Each
---  machine has a body.
+--  The lock of a protected object on one processor. No interrupt is taken while
+--  it is held, unless the object gives a priority below those of interrupts:
+--  then only tasks call it, and a task runs until it calls the kernel. The
+--  compiler calls this unit by these names, in line. Each machine has a body.
 
 package System.Tasking.Protected_Objects is
    pragma Preelaborate;
 
-   type Protection is limited record
-      Ceiling : Integer;
+   --  A processor's status register with its interrupt mask.
+   type Status is mod 2 ** 16;
 
-      --  The interrupt mask before the lock was taken.
-      Saved   : Integer;
+   type Protection is limited record
+      --  The bits that the lock sets.
+      Masked : Status;
+
+      --  The status before the lock was taken. It is written when interrupts
+      --  are masked: a handler may take the same lock before.
+      Saved  : Status;
    end record;
 
    type Protection_Access is access all Protection;

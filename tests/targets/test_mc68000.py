@@ -16,6 +16,9 @@ pytestmark = bare.needs(MACHINE, MACHINE.archive)
 
 ILLEGAL, ADDRESS_ERROR, WATCHDOG, UNUSED_VECTOR = 4, 3, 31, 200
 
+# The longest time for which interrupts are masked.
+LATEST_US = 150
+
 # The bytes of any object, which are never copied as a whole.
 ALLOWED = {"memory_operations.adb Bytes"}
 
@@ -37,16 +40,20 @@ def test_brd4_a_sealed_flight_has_the_words_of_the_simulation(tmp_path):
     bare.flies_like_the_simulation(MACHINE, tmp_path, laws=True, sealed=True)
 
 
-@pytest.mark.parametrize("laws", [False, True], ids=["direct", "laws"])
-def test_brd4_at_20_mhz_tasks_are_late_and_all_words_are_the_same(
-        tmp_path, monkeypatch, laws):
-    monkeypatch.setattr(MACHINE, "mhz", 20)
-    rows, runs = MACHINE.fly_both(tmp_path, bare.SECONDS, laws)
+@pytest.mark.parametrize(
+    "mhz, laws, sealed", [(20, False, False), (20, True, False),
+                          (25, True, True)], ids=["direct", "laws", "sealed"])
+def test_brd4_tasks_are_late_no_interrupt_is_and_all_words_are_the_same(
+        tmp_path, monkeypatch, mhz, laws, sealed):
+    monkeypatch.setattr(MACHINE, "mhz", mhz)
+    rows, runs = MACHINE.fly_both(tmp_path, bare.SECONDS, laws, sealed)
     assert list(emulated.differences(rows, runs)) == []
     frames = bare.SECONDS * emulated.FRAMES_PER_S
     for run in runs.values():
         assert sorted(run.rows)[:frames - 1] == list(range(frames - 1))
         assert run.numbers["bad"] == run.numbers["resets"] == 0
+        assert run.numbers["late_clock_worst"] < LATEST_US * mhz
+        assert run.numbers["late_converter_worst"] < LATEST_US * mhz
     assert runs["mcs"].numbers["overruns"] > 0
 
 

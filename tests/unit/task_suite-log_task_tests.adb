@@ -51,7 +51,7 @@ package body LOG_Task_Tests is
    --  Both ends of the log's path
 
    Law_Settings : URV.Shared_Laws.Settings.Store;
-   Law_Memory   : URV.Shared_Laws.Memories.Store;
+   Law_Memory   : URV.Shared_Laws.Memory_Store;
 
    package Log_Sender is new URV.Log_Senders
      (Errors, Law_Settings, Law_Memory);

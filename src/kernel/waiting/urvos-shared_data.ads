@@ -4,14 +4,17 @@
 --
 --  The protected object lets the task run on any processor that the node's
 --  list gives it; each start may give it another (EXT-4). No other task sees
---  the data.
+--  the data. No interrupt handler calls it: by its priority a bare machine
+--  masks none meanwhile.
+
+with System;
 
 generic
    type Data is private;
    Initial : Data;
 package URVOS.Shared_Data with SPARK_Mode is
 
-   protected type Store is
+   protected type Store with Priority => System.Priority'Last is
 
       procedure Write (Item : Data);
 

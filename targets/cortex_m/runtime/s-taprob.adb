@@ -10,17 +10,23 @@ package body System.Tasking.Protected_Objects is
    procedure Initialize_Protection
      (Object : not null access Protection; Ceiling_Priority : Integer) is
    begin
-      Object.Ceiling := Ceiling_Priority;
+      Object.Masked :=
+        (if Ceiling_Priority in System.Priority then 0 else 1);
       Object.Saved := 0;
    end Initialize_Protection;
 
    procedure Finalize_Protection (Object : in out Protection) is null;
 
    procedure Lock (Object : not null access Protection) is
-      Before : Integer;
+      Before, During : Status;
    begin
-      Asm ("mrs %0, primask" & ASCII.LF & ASCII.HT & "cpsid i",
-           Outputs  => Integer'Asm_Output ("=r", Before),
+      Asm ("mrs %0, primask" & ASCII.LF & ASCII.HT
+           & "orr %1, %0, %2" & ASCII.LF & ASCII.HT
+           & "msr primask, %1",
+           Outputs  =>
+             (Status'Asm_Output ("=&r", Before),
+              Status'Asm_Output ("=&r", During)),
+           Inputs   => Status'Asm_Input ("r", Object.Masked),
            Clobber  => "memory",
            Volatile => True);
       Object.Saved := Before;
@@ -34,7 +40,7 @@ package body System.Tasking.Protected_Objects is
    procedure Unlock (Object : not null access Protection) is
    begin
       Asm ("msr primask, %0",
-           Inputs   => Integer'Asm_Input ("r", Object.Saved),
+           Inputs   => Status'Asm_Input ("r", Object.Saved),
            Clobber  => "memory",
            Volatile => True);
    end Unlock;
