@@ -44,8 +44,12 @@ package body Node_Programs is
    --  Starts the conversion that the controller has requested, if any.
    procedure Serve_Converter;
 
-   --  Serves the ticks that wait.
-   procedure Serve;
+   --  Runs the steps that are due, and serves the devices after each.
+   procedure Run_Steps;
+
+   --  The outputs, the converter and the line have what the tasks have given
+   --  them.
+   procedure Serve_Devices;
 
    --  Reports a cell of the RAM that is not sound (TST-5).
    procedure Report_RAM (Where : Word_Address);
@@ -91,13 +95,22 @@ package body Node_Programs is
       end if;
    end On_Converted;
 
-   procedure Serve is
+   procedure Serve_Devices is
    begin
-      Node.Serve;
       Write_Outputs;
       Serve_Converter;
       Line.Hurry;
-   end Serve;
+   end Serve_Devices;
+
+   procedure Run_Steps is
+      Runs_On : Boolean;
+   begin
+      while not Node.Is_Idle loop
+         Node.Run_Step (Runs_On);
+         Serve_Devices;
+         exit when Runs_On;
+      end loop;
+   end Run_Steps;
 
    procedure Report_RAM (Where : Word_Address) is
       Result : constant Word := To_Word (Failure (RAM, Where));
@@ -126,7 +139,7 @@ package body Node_Programs is
    begin
       Targets.Open;
       Scan_Ended := False;
-      Has_Ticked := True;
+      Has_Ticked := False;
       if Condition /= Processor_Restart then
          Telemetry_Board.Start;
       end if;
@@ -143,11 +156,12 @@ package body Node_Programs is
       if Condition = Cold_Start then
          Node.Serve;
       end if;
-      Line.Hurry;
       Targets.Start_Clock;
       if Condition /= Cold_Start then
          Node.Serve;
       end if;
+      Run_Steps;
+      Serve_Devices;
       Put (Name);
       if Node.Is_Refused then
          Put_Line (" refused");
@@ -161,14 +175,13 @@ package body Node_Programs is
          while Has_Ticked or else Scan_Ended loop
             if Has_Ticked then
                Has_Ticked := False;
-               Serve;
+               Node.Serve;
+               Run_Steps;
                Targets.Feed_Watchdog;   --  BRD-7
                Flight_RAM_Tests.Begin_Tick;
             else
                Scan_Ended := False;
-               Node.Look_Again;
-               Serve_Converter;
-               Line.Hurry;
+               Run_Steps;
             end if;
          end loop;
       end loop;

@@ -72,9 +72,6 @@ is
    --  Carries out the orders of a start.
    procedure Follow_Orders;
 
-   --  Runs steps until no task is due or a task runs on after EXIT.
-   procedure Run_Steps;
-
    protected body Guard is
 
       procedure Tick is
@@ -188,15 +185,6 @@ is
       end loop;
    end Follow_Orders;
 
-   procedure Run_Steps is
-      Runs_On : Boolean;
-   begin
-      while not Executive.Is_Idle loop
-         Executive.Run_Step (Runs_On);
-         exit when Runs_On;
-      end loop;
-   end Run_Steps;
-
    procedure Begin_Start
      (Condition : Start_Condition;
       Schedule  : Schedule_Name := Report) is
@@ -230,13 +218,15 @@ is
       else
          Follow_Orders;
       end if;
-      Run_Steps;
    end Serve;
 
-   procedure Look_Again is
+   function Is_Idle return Boolean is (Executive.Is_Idle)
+   with Refined_Global => (Input => Executive.Task_Management);
+
+   procedure Run_Step (Runs_On : out Boolean) is
    begin
-      Run_Steps;
-   end Look_Again;
+      Executive.Run_Step (Runs_On);
+   end Run_Step;
 
    function Overruns return Count is (Executive.Overruns)
    with Refined_Global => (Input => Executive.Task_Management);

@@ -4,9 +4,10 @@
 --  2.2, 2.3 and 3.1 to 3.3; FRM-1, FRM-4, FRM-6, KRN-6, BRD-1).
 --
 --  The timer's interrupt counts ticks. Outside interrupts the machine calls
---  Serve while there is work, and sleeps otherwise. A tick during a task's
---  step is seen when the step ends. Overruns are counted as in
---  URVOS.Real_Time_Nodes.
+--  Serve while there is work, then Run_Step until no task has the processor or
+--  one runs on, and sleeps otherwise. It serves its devices after each step. A
+--  tick during a task's step is seen when the step ends. Overruns are counted
+--  as in URVOS.Real_Time_Nodes.
 
 with URVOS.Node_Software;
 with URVOS.Starts;       use URVOS.Starts;
@@ -40,13 +41,18 @@ is
      Volatile_Function,
      Global => (Input => Events);
 
-   --  If there is work, advances the clock by all ticks since the last call,
-   --  and runs the tasks that are due.
+   --  If there is work, advances the clock by all ticks since the last call.
+   --  The tasks that are due are ready, and the first has the processor.
    procedure Serve;
 
-   --  Called after an interrupt, between two ticks. A task that calls EXIT
-   --  while it waits for the interrupt's result looks again.
-   procedure Look_Again;
+   --  No task has the processor.
+   function Is_Idle return Boolean
+   with Global => (Input => Task_Management);
+
+   --  Runs the next step of the task that has the processor, if any.
+   --  Runs_On: this task called EXIT and has the processor again. It looks
+   --  again after the next tick or interrupt.
+   procedure Run_Step (Runs_On : out Boolean);
 
    --  The number of overruns of all tasks.
    function Overruns return Count

@@ -203,6 +203,7 @@ package body Targets is
    begin
       if not Has_Begun then
          Has_Begun := True;
+         Advance (0);
          if Tape.Quantum > 0 then
             Join;
          end if;

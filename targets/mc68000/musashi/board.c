@@ -503,6 +503,8 @@ static uint8_t format(const struct duart *duart)
                     ^ (duart->mode[0][1] & 0x0F) ^ duart->clock[0] << 1);
 }
 
+static void play_tape(void);
+
 static void start_timer(struct duart *duart)
 {
    /* Mode 6: X1 itself; a period has two times the preloaded count. */
@@ -521,6 +523,7 @@ static void start_timer(struct duart *duart)
       node->partner->start = node->start;
       memset(node->partner->by_vector, 0, sizeof node->by_vector);
       duart->next += (uint64_t)node->lag * cycles(TICK_US);
+      play_tape();
    }
    look_again();
 }
