@@ -329,7 +329,7 @@ package Theorems.Seals with SPARK_Mode, Ghost is
           and then (for all Each of Words => Each = 0));
 
    --  A node's keys, and those of its hellos, remain as configured: whatever
-   --  comes, is sent, or passes.
+   --  comes, is sent, or passes (SEC-5).
    procedure Keys_Remain
      (Item   : URV.Handshakes.Seal;
       Block  : Block_Data;

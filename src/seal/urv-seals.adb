@@ -55,6 +55,27 @@ package body URV.Seals with SPARK_Mode is
       end if;
    end Grow_Older;
 
+   procedure Grow_Older (List : in out Pending_List; Frames : Counter)
+   with
+     Global => null,
+     Post   =>
+       (for all Each in Pending_Place =>
+          List (Each) = Kept (Older (List'Old (Each), Frames)));
+
+   procedure Grow_Older (List : in out Pending_List; Frames : Counter) is
+   begin
+      for Each in Pending_Place loop
+         Grow_Older (List (Each), Frames);
+
+         pragma Loop_Invariant
+           (for all Place in Pending_Place =>
+              List (Place) =
+                (if Place <= Each
+                 then Kept (Older (List'Loop_Entry (Place), Frames))
+                 else List'Loop_Entry (Place)));
+      end loop;
+   end Grow_Older;
+
    procedure Pass (This : in out Seal; Frames : Counter) is
       Was : constant Seal := This
       with Ghost;
@@ -68,18 +89,7 @@ package body URV.Seals with SPARK_Mode is
       else
          Grow_Older (This.Active, Frames);
       end if;
-      for Each in Pending_Place loop
-         Grow_Older (This.Pending (Each), Frames);
-
-         pragma Loop_Invariant
-           (for all Place in Pending_Place =>
-              This.Pending (Place) =
-                (if Place <= Each
-                 then Kept (Older (Was.Pending (Place), Frames))
-                 else Was.Pending (Place)));
-         pragma Loop_Invariant
-           (This = (This'Loop_Entry with delta Pending => This.Pending));
-      end loop;
+      Grow_Older (This.Pending, Frames);
       pragma Assert (This.Active = After_Frames (Was, Frames).Active);
       pragma Assert
         (for all Each in Pending_Place =>

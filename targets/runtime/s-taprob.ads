@@ -1,9 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The lock of a protected object on one processor. No interrupt is taken while
---  it is held, unless the object gives a priority below those of interrupts:
---  then only tasks call it, and a task runs until it calls the kernel. The
---  compiler calls this unit by these names, in line. Each machine has a body.
+--  The lock of a protected object on one processor (BRD-1, BRD-4). No interrupt
+--  is taken while it is held, unless the object gives a priority below those of
+--  interrupts: then only tasks call it, and a task runs until it calls the
+--  kernel. The compiler calls this unit by these names, in line. Each machine
+--  has a body.
 
 package System.Tasking.Protected_Objects is
    pragma Preelaborate;

@@ -60,19 +60,19 @@ package URVOS.Task_Managements with Pure, SPARK_Mode is
         + Tick
             (Ticks_Per_Major_Frame + Frame_Place'Base (Offset) - This.Place))
    with
-    Post =>
-      Release_Of'Result = Next_Release (Clock (This.Tasks), Offset)
-      and then Release_Frame (Release_Of'Result) = Offset
-      and then Release_Of'Result > Clock (This.Tasks);
+     Post =>
+       Release_Of'Result = Next_Release (Clock (This.Tasks), Offset)
+       and then Release_Frame (Release_Of'Result) = Offset
+       and then Release_Of'Result > Clock (This.Tasks);
 
    --  Loads the tasks of a tree and runs the first one. The tasks that were
    --  there before are gone.
    procedure Start
      (This : out Management; Tree : Task_Tree; Now : Clock_Tick)
    with
-    Post =>
-      This.Tasks = After_Dispatch (Loaded_Tree (Tree, Now))
-      and then Clock (This.Tasks) = Now;
+     Post =>
+       This.Tasks = After_Dispatch (Loaded_Tree (Tree, Now))
+       and then Clock (This.Tasks) = Now;
 
    --  Sets the time, unless the clock runs back.
    procedure Follow_Clock (This : in out Management; Now : Clock_Tick)
