@@ -59,7 +59,7 @@ PROGRAMS = {
         # Under the profile itself a call that blocks where it must not
         # raises an exception (D-29).
         ["-gnatp", f"-gnatec={ROOT / 'src/kernel/ravenscar.adc'}"]),
-    "contracts": ("tests/urv_tests.gpr", "test", []),
+    "contracts": ("tests/urv_tests.gpr", "test", ["-gnatVn"]),
 }
 COUNT_DECISIONS = ("unit", "flights", "partitions")
 
