@@ -46,6 +46,7 @@ ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK = range(9, 11)
 # A byte of the controller's RAM becomes stuck. An illegal instruction or an
 # unused interrupt comes in the next test of a cell.
 STUCK_BITS, ILLEGAL_IN_RAM_TEST, INTERRUPT_IN_RAM_TEST = range(11, 14)
+RESET_SWITCH = 14
 
 # Is added to an event that befalls the telemetry board's processor.
 ON_TELEMETRY_BOARD = 32

@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Devices.PWM_Board;
 with Interfaces;    use Interfaces;
 with Machine_Texts; use Machine_Texts;
 with MCS.Bare_Metal;
@@ -14,6 +15,9 @@ package body Bare_MCS is
 
    --  The servos' board may have lost its words at a start.
    Must_Write : Boolean := True;
+
+   --  The words that the servos' board has.
+   Written : Devices.PWM_Board.Data_Area := (others => 0);
 
    procedure Begin_Start (Condition : Start_Condition);
 
@@ -42,7 +46,8 @@ package body Bare_MCS is
       MCS.PWM_Board.Look_For_Change (Changed);
       if Changed or else Must_Write then
          Must_Write := False;
-         Targets.Write_Servos (MCS.PWM_Board.Contents);
+         Written := MCS.PWM_Board.Contents;
+         Targets.Write_Servos (Written);
       end if;
    end Write_Outputs;
 
@@ -54,8 +59,7 @@ package body Bare_MCS is
    end Set_Laws;
 
    procedure Put_Outputs is
-      PWM : constant PWM_Buffer :=
-        URV.PWM_Layout.To_Outputs (MCS.PWM_Board.Contents);
+      PWM : constant PWM_Buffer := URV.PWM_Layout.To_Outputs (Written);
    begin
       for Each of PWM loop
          Put_Word (Unsigned_16 (Each));

@@ -177,6 +177,7 @@ package body Node_Programs is
                Has_Ticked := False;
                Node.Serve;
                Run_Steps;
+               Write_Outputs;   --  SAF-11: also without a task
                Targets.Feed_Watchdog;   --  BRD-7
                Flight_RAM_Tests.Begin_Tick;
             else

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1 to BRD-4, BRD-8, BRD-10, TST-5: both nodes on the report's processor, on
+"""BRD-1 to BRD-4, BRD-8, BRD-10, SAF-11, TST-5: both nodes on the report's processor, on
 an emulated board beside the simulation of the same flight."""
 
 import subprocess
@@ -124,6 +124,23 @@ def test_brd3_tst1_a_stuck_cell_of_the_scratchpad_is_refused(tmp_path):
     last = max(run.rows)
     assert run.status(last)[bare.SELF_TEST] == bare.RAM_FAILED + (0x11A >> 4)
     assert run.pwm(last) == bare.SAFE
+
+
+def test_saf11_a_refused_warm_reset_makes_the_servos_safe(tmp_path):
+    """No task runs. The servos hold their words for 0.5 s; then the board's own
+    ones reach them, with the brake as it was."""
+    gsc, mcs = emulated.Tape(2), emulated.Tape(2, lag=emulated.LAG)
+    gsc.read(0, [0x300] * emulated.CHANNELS)
+    mcs.stick(900, 0x110234, 0x40, 0x40)
+    mcs.plant(1000, emulated.RESET_SWITCH)
+    run = MACHINE.fly({"gsc": gsc, "mcs": mcs}, tmp_path)["mcs"]
+    assert run.has("MCS refused")
+    flown = run.pwm(45)
+    assert flown[:7] != bare.SAFE[:7]
+    assert run.pwm(70) == flown
+    brake = bare.SAFE.index(0xFFF)
+    assert run.pwm(max(run.rows)) == (
+        bare.SAFE[:brake] + flown[brake:brake + 1] + bare.SAFE[brake + 1:])
 
 
 # The march in flight: a cell is a long word. It begins with the scratchpad.

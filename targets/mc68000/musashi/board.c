@@ -100,7 +100,7 @@ enum event {
    WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS,
    PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER, ENDLESS_LOOP, LOST_TIMER,
    ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK, STUCK_BITS, ILLEGAL_IN_RAM_TEST,
-   INTERRUPT_IN_RAM_TEST,
+   INTERRUPT_IN_RAM_TEST, RESET_SWITCH,
 
    ON_TELEMETRY_BOARD = 32            /* is added to an event of that board */
 };
@@ -977,6 +977,11 @@ static void happen(uint32_t event, const uint8_t *words)
       break;
    case ILLEGAL_IN_RAM_TEST: case INTERRUPT_IN_RAM_TEST:
       node->in_test = event;
+      break;
+   case RESET_SWITCH:
+      board_reset();
+      node->stopped = false;
+      m68k_pulse_reset();
       break;
    default: fail("an event that is not emulated", event);
    }
