@@ -218,7 +218,10 @@ def of_text(text: str, where: str) -> list[Card]:
     """The cards of a file's text. Raises faults.Refused."""
     try:
         given = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as fault:
+    except RecursionError as fault:
+        raise faults.Refused(f"{where}: nested too deeply") from fault
+    except ValueError as fault:
+        # A number of thousands of digits is no TOMLDecodeError.
         raise faults.Refused(f"{where}: no TOML: {fault}") from fault
     tables = given.pop("card", None)
     if given or not isinstance(tables, list) or not tables:
@@ -268,13 +271,14 @@ class _Reader:
         """The place of the inputs, the surfaces, sticks or commands that move,
         and whether each has its own signal."""
         place = self.table.get("added_to", "servo")
-        if place not in PLACES:
+        if not isinstance(place, str) or place not in PLACES:
             raise faults.Refused(
                 f"{self.where}: added_to is one of {', '.join(PLACES)}")
         moves = self.table.get("moves")
         names = (*AXES, *SURFACES) if place == "servo" else PLACES[place]
         if not isinstance(moves, list) or not moves or any(
-                each not in names for each in moves):
+                not isinstance(each, str) or each not in names
+                for each in moves):
             raise faults.Refused(
                 f"{self.where}: moves is a list of {', '.join(names)}"
                 + ("" if place == "servo"
@@ -317,6 +321,9 @@ class _Reader:
         if kind not in kinds:
             raise faults.Refused(
                 f"{self.where}: kind is one of {', '.join(kinds)}")
+        name = self.table.get("name", "")
+        if not isinstance(name, str):
+            raise faults.Refused(f"{self.where}: name is a text")
         place, surfaces, is_single = self.surfaces()
         is_sines = kind == "multisine"
         time, first, last = self.signal(kind)
@@ -332,7 +339,7 @@ class _Reader:
             slowest=self.number("slowest_kt", 0, 127.9, 32, 0),
             fastest=self.number("fastest_kt", 0, 127.9, 32, FIELD),
             lowest=self.number("lowest_ft", 0, 2_047, 2, 0),
-            place=place, name=str(self.table.get("name", "")))
+            place=place, name=name)
         if card.slowest > card.fastest:
             raise faults.Refused(
                 f"{self.where}: slowest_kt is above fastest_kt")

@@ -133,6 +133,7 @@ class Station:
         self.pages: dict[int, Page] = {}
         self._dropping: set[asyncio.Task[None]] = set()
         self._numbers = 0
+        self._fault = ""
         self.application = web.Application(
             middlewares=[self._guard], client_max_size=1)
         self.application.router.add_get("/", self._index)
@@ -277,7 +278,21 @@ class Station:
                     return
             else:
                 page.heard = loop.time()
-                self._hears(page, said, page.heard)
+                self._heard(page, said)
+
+    def _heard(self, page: Page, said: dict[str, Any]) -> None:
+        """A fault in this code costs only this message, never the pilot's
+        sticks (GND-57)."""
+        try:
+            self._hears(page, said, page.heard)
+        except Exception as error:  # noqa: BLE001 - whatever it is
+            self.controls.bad_messages += 1
+            fault = f"{said['t']}: {type(error).__name__}: {error}"
+            if fault != self._fault:
+                self._fault = fault
+                self.controls.view.note(
+                    "caution", "console", f"console {page.number}: a message"
+                    f" could not be handled: {fault}")
 
     def _hears(self, page: Page, said: dict[str, Any], now: float) -> None:
         """Only messages with a new number count, and each has an age

@@ -66,6 +66,15 @@ def test_fti7_a_file_becomes_words(tmp_path):
     ("base_hz = 0.1", "base_hz = 2",
      "card 2: its highest harmonic is 38 Hz, not 10 Hz or less"),
     ("[[card]]\nname", "[[map]]\nname", "a card begins with"),
+    ('["pitch"]', '["pitch"]\nadded_to = ["stick"]',
+     "card 1: added_to is one of servo, stick, command"),
+    ('["pitch"]', '[["pitch"]]\nadded_to = "stick"',
+     "card 1: moves is a list of roll, pitch, yaw, for inputs"),
+    ('["pitch"]', '[{axis = "pitch"}]', "card 1: moves is a list of roll"),
+    ('"doublet"', '["doublet"]', "card 1: kind is one of step, doublet"),
+    ('"elevator doublet"', "0x" + 4_000 * "f", "card 1: name is a text"),
+    ("pulse_s = 0.4", "pulse_s = " + 5_000 * "4", "no TOML: "),
+    ('["pitch"]', 3_000 * "[" + 3_000 * "]", "nested too deeply"),
     ("[[card]]\nname", "[[card]]\nslot = 2\nname",
      "card 2: slot 2 is taken")])
 def test_fti7_bad_cards_are_refused_in_one_line(
@@ -76,6 +85,13 @@ def test_fti7_bad_cards_are_refused_in_one_line(
         cards.read(path)
     assert message in str(refused.value)
     assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("moves", ['[["pitch"]]', 3_000 * "["])
+def test_fti7_the_command_refuses_a_bad_file_in_one_line(tmp_path, moves):
+    result = run("check", written(tmp_path, GOOD.replace(
+        '["pitch"]', moves + '\nadded_to = "stick"', 1)))
+    assert (result.returncode, len(result.stderr.splitlines())) == (2, 1)
 
 
 PLACED = """

@@ -623,6 +623,34 @@ def test_fti8_wrong_cards_and_those_of_a_watcher_go_nowhere(station):
                  "the aircraft's reason")
 
 
+@pytest.mark.parametrize("wrong", [
+    CARDS.replace('"doublet"', '"doublet"\nadded_to = ["stick"]'),
+    "a = " + 3_000 * "["], ids=["list", "deep"])
+def test_fti8_a_mistake_in_a_file_leaves_the_pilot_the_sticks(station, wrong):
+    console = holder(station)
+    give(station, console, {"t": "cards", "text": wrong})
+    state = station.wait(
+        lambda state: state["cards"]["state"] == "refused", "refused")
+    assert state["holder"] == console.number
+    # Its page is still heard.
+    give(station, console, {"t": "cards", "text": CARDS})
+    assert station.state()["holder"] == console.number
+
+
+def test_gnd24_a_fault_of_the_station_costs_one_message():
+    controls = Controls(View(), None)
+    controls.hears = lambda *_: 1 // 0
+    page = web.Page(1, None)
+    station = web.Station(controls)
+    for sequence in (1, 2):
+        station._heard(page, {"t": "take", "sequence": sequence,
+                              "sent_s": 1.0})
+    assert controls.bad_messages == 2 and page.bad == 0
+    assert [line.text for line in controls.view.log] == [
+        "console 1: a message could not be handled: take: ZeroDivisionError:"
+        " integer division or modulo by zero"]
+
+
 # The flight recorder
 
 def fetches(console, what="fetch", last=None):
