@@ -35,10 +35,14 @@ MOST_PAGES = 16
 QUIET_S = 5.0
 """A page that is silent for this time gives its place to another one that
 opens. The holder of the sticks never does."""
-LONGEST_MESSAGE = 4096
 LONGEST_MARK = 200
 LONGEST_CARDS = 3_500
-"""A file of test cards, without comments."""
+"""A file of test cards, without comments, in characters."""
+LONGEST_ESCAPE = len(r"\u0000")
+"""The most bytes of a character in JSON. A pair of surrogates is two
+characters for the page."""
+LONGEST_MESSAGE = LONGEST_ESCAPE * LONGEST_CARDS + 512
+"""In bytes, with room for the other fields: any file that a page accepts."""
 LONGEST_FETCH_S = 100_000
 """More seconds than a recorder holds."""
 MESSAGES_A_SECOND = 150.0

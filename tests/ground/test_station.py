@@ -637,6 +637,22 @@ def test_fti8_a_mistake_in_a_file_leaves_the_pilot_the_sticks(station, wrong):
     assert station.state()["holder"] == console.number
 
 
+@pytest.mark.parametrize("letter", ["\u20ac", "\x01", "\U0001f6e9"],
+                         ids=["euro", "control", "pair"])
+def test_fti8_the_longest_file_of_the_page_is_heard(station, letter):
+    """A letter has up to three bytes, with JSON's escapes six; the page counts
+    a letter beyond 16 bits as two."""
+    longest = int(re.search(r"const LONGEST = ([0-9_]+);", (
+        web.PAGE / "cards.js").read_text("utf-8"))[1])
+    assert longest == web.LONGEST_CARDS
+    console = holder(station)
+    many = longest // (len(letter.encode("utf-16-le")) // 2)
+    give(station, console, {"t": "cards", "text": many * letter})
+    state = station.wait(
+        lambda state: state["cards"]["state"] == "refused", "refused")
+    assert state["holder"] == console.number
+
+
 def test_gnd24_a_fault_of_the_station_costs_one_message():
     controls = Controls(View(), None)
     controls.hears = lambda *_: 1 // 0
