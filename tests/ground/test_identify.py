@@ -517,6 +517,54 @@ def test_gnd65_the_linear_model_is_that_of_the_derivatives(identified):
     assert "CZ_q" in model["not_determined"]
 
 
+class Carded:
+    """A flight with a card from 10 to 12 s, which moves the elevators, and
+    without the downlink's words in some rows."""
+
+    def __init__(self, hidden):
+        self.rows = 1_000
+        self.seconds = STEP_S * numpy.arange(self.rows)
+        self.hidden = hidden
+
+    def has_all(self, *_names):
+        return True
+
+    def values(self, name):
+        values = numpy.zeros(self.rows)
+        if name.endswith("switch5"):
+            values[500:600] = 1.0
+        if "downlink" in name:
+            if name.endswith("elevator"):
+                values[505:550] = 2.0
+            values[self.hidden] = numpy.nan
+        return values
+
+
+@pytest.mark.parametrize("hidden", [
+    slice(0), slice(480, 481), slice(475, 500), slice(500, 520)], ids=[
+        "none", "one", "all before", "many of the card"])
+def test_gnd61_old_words_hide_no_card(hidden):
+    found = manoeuvres.found(Carded(hidden))
+    assert [(each.begin, round(each.end, 2), each.axes, each.mark,
+             each.reason) for each in found] == [
+        (9.5, 14.98, ("longitudinal",), "card", "")]
+
+
+@pytest.mark.parametrize("hidden", [slice(470, 501), slice(490, 560)],
+                         ids=["before", "card"])
+def test_gnd61_a_card_that_a_gap_hides_is_reported(hidden):
+    found = manoeuvres.found(Carded(hidden))
+    assert [(each.begin, each.reason) for each in found] == [
+        (10.0, manoeuvres.NOT_JUDGED)]
+
+
+def test_gnd61_switch_5_without_a_card_is_no_manoeuvre():
+    flight = Carded(slice(510, 514))
+    values = flight.values
+    flight.values = lambda name: values(name) * ("elevator" not in name)
+    assert manoeuvres.found(flight) == []
+
+
 def test_gnd62_a_surface_that_never_moves_is_reported(flown, tmp_path):
     """No rudder manoeuvre, so the data say nothing of its derivatives."""
     from urv import flights

@@ -102,7 +102,10 @@ def identify(flights, aircraft, finders=manoeuvres.FINDERS,
     for record, flight in enumerate(flights):
         own = []
         for each in manoeuvres.found(flight, finders):
-            flown = Flown(each, record)
+            flown = Flown(each, record, reason=each.reason)
+            own.append(flown)
+            if each.reason:
+                continue
             try:
                 flown.segment = measurements.without_delays(
                     measurements.segment(
@@ -110,7 +113,6 @@ def identify(flights, aircraft, finders=manoeuvres.FINDERS,
                     aircraft.delays)
             except measurements.Unusable as fault:
                 flown.reason = str(fault)
-            own.append(flown)
         usable = [each for each in own if each.segment is not None]
         known = None
         if usable:

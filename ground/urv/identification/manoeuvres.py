@@ -19,6 +19,7 @@ import numpy
 from scipy import ndimage
 
 from urv import faults, input_files, packets
+from urv.identification import measurements
 
 LONGITUDINAL, LATERAL = "longitudinal", "lateral"
 AXES = {LONGITUDINAL: ("pitch",), LATERAL: ("roll", "yaw")}
@@ -58,6 +59,8 @@ class Manoeuvre:
     axes: tuple[str, ...]
     mark: str = ""
     """How it was found: "sticks", or a mark's name."""
+    reason: str = ""
+    """Why it cannot be judged and is not used."""
 
 
 def by_sticks(flight) -> list[Manoeuvre]:
@@ -103,12 +106,14 @@ input."""
 
 SURFACES = {LONGITUDINAL: ("elevator",), LATERAL: ("aileron", "rudder")}
 DOWNLINKS = ("mcs.downlink", "gsc.downlink")
+NOT_JUDGED = "switch 5 is on, but a gap in the downlink hides the surfaces"
 
 
 def by_cards(flight) -> list[Manoeuvre]:
     """Test cards (FTI-7): from switch 5 on until the surfaces are at rest.
 
-    Times in which a stick moves too are not cards."""
+    Times in which a stick moves too are not cards. Where a gap hides the surfaces,
+    the manoeuvre has the reason."""
     uplink = next((group for group in GROUPS if flight.has_all(
         f"{group}.{SWITCH}", f"{group}.pitch", f"{group}.roll",
         f"{group}.yaw")), None)
@@ -132,15 +137,23 @@ def by_cards(flight) -> list[Manoeuvre]:
             continue
         rest = slice(max(row - round(LEAD_S / packets.FRAME_S), 0), row + 1)
         moved = {axis: numpy.zeros(last - row + 1, bool) for axis in AXES}
+        is_hidden = False
         for axis, names in SURFACES.items():
             for name in names:
                 for side in ("left", "right"):
                     values = numpy.asarray(
                         flight.values(f"{downlink}.{side}_{name}"))
-                    moved[axis] |= abs(
-                        values[rows] - numpy.median(values[rest])
-                    ) > CARD_MOVED_DEG
+                    known = values[rest][~numpy.isnan(values[rest])]
+                    is_hidden |= not len(known) or longest_gap_s(
+                        values[rows]) > measurements.LONGEST_GAP_S + 1e-6
+                    # A comparison with NaN is false: a gap moves nothing.
+                    if len(known):
+                        moved[axis] |= abs(values[rows] - numpy.median(
+                            known)) > CARD_MOVED_DEG
         ends = numpy.flatnonzero(sum(moved.values()))
+        if is_hidden and not len(ends):
+            found.append(Manoeuvre(seconds[row], seconds[last], tuple(AXES),
+                                   "card", NOT_JUDGED))
         if not len(ends) or seconds[row + ends[-1]] - seconds[row] > LONGEST_S:
             continue
         following = (seconds[edges[place + 1]] if place + 1 < len(edges)
@@ -153,16 +166,25 @@ def by_cards(flight) -> list[Manoeuvre]:
     return found[:MOST]
 
 
+def longest_gap_s(values) -> float:
+    """The longest time without a value."""
+    known = numpy.flatnonzero(~numpy.isnan(values))
+    steps = numpy.diff(numpy.r_[-1, known, len(values)])
+    return (steps.max() - 1) * packets.FRAME_S
+
+
 FINDERS = (by_cards, by_sticks)
 
 
 def found(flight, finders=FINDERS) -> list[Manoeuvre]:
-    """The manoeuvres of a flight by the first finder that finds any."""
+    """The manoeuvres of a flight by the first finder that finds any, and
+    those before that cannot be judged."""
+    manoeuvres = []
     for finder in finders:
-        manoeuvres = finder(flight)
-        if manoeuvres:
-            return manoeuvres
-    return []
+        manoeuvres += finder(flight)
+        if any(not each.reason for each in manoeuvres):
+            break
+    return manoeuvres
 
 
 def from_file(path: Path):
