@@ -53,6 +53,12 @@ def opened_text(path):
     return io.TextIOWrapper(opened(path), encoding="utf-8", newline="\n")
 
 
+def opened_ascii(path):
+    """The same as ASCII; each other byte is a character that no line has."""
+    return io.TextIOWrapper(opened(path), encoding="ascii", errors="replace",
+                            newline="\n")
+
+
 def text(path):
     """All of a file of JSON. Refuses a file that is too large."""
     with opened(path) as file:

@@ -53,7 +53,7 @@ def read(
 
     check_name(file)
     rows = recorder_blocks.Rows()
-    with input_files.opened_text(blocks) as source:
+    with input_files.opened_ascii(blocks) as source:
         while line := source.readline(4 * (recorder_blocks.BLOCK_WORDS + 1)
                                       + 2):
             try:

@@ -79,7 +79,7 @@ class Recording:
         self.wrong = []
         """The lines that are no rows, but for a last one without its end."""
         self.cut_short = None
-        with input_files.opened_text(path) as file:
+        with input_files.opened_ascii(path) as file:
             self.read(file)
 
     def read(self, file):

@@ -227,3 +227,26 @@ def test_fti11_another_file_is_no_recording(tmp_path):
     path.write_text("frame,time_ms\n0,20\n", "ascii")
     with pytest.raises(faults.Refused, match="not a recording"):
         flights.read(path, lambda record: None)
+
+
+def test_fti11_bytes_that_are_no_text_are_a_wrong_line(tmp_path, rows):
+    path = tmp_path / "a.recording"
+    recordings.write(path, rows)
+    data = bytearray(path.read_bytes())
+    # In the second row.
+    data[16 + 289 + 40] = 0xFF
+    path.write_bytes(data)
+    read = recordings.Recording(path)
+    assert [*map(tuple, read.rows)] == [rows[0], *rows[2:]]
+    assert read.cut_short == "1 lines are no rows, the first is line 3"
+    path.write_bytes(b"\xff\xfe" + data)
+    with pytest.raises(faults.Refused, match="not a recording"):
+        recordings.Recording(path)
+
+
+def test_fti10_blocks_that_are_no_text_are_refused_in_one_line(urv, tmp_path):
+    (tmp_path / "blocks.txt").write_bytes(b"0700\xff\xfe\n")
+    result = urv("recorder", "read", "blocks.txt", "a.recording")
+    assert (result.returncode, result.stderr) == (
+        2, 'urv: "blocks.txt": not a file of --fetched\n')
+    assert not (tmp_path / "a.recording").exists()
