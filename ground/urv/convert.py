@@ -36,6 +36,4 @@ def convert(
             for rows in record.blocks():
                 out.write(rows)
                 told(record)
-        if record.cut_short:
-            faults.note(f"{faults.quoted(source)} was cut short:"
-                        f" {record.cut_short}")
+        faults.note_cut_short(source, record.cut_short)

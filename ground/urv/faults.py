@@ -34,6 +34,12 @@ def note(text):
         print(f"urv: {text}", file=sys.stderr, flush=True)
 
 
+def note_cut_short(path, what):
+    """Notes what a record that was cut short lacks, if it was."""
+    if what:
+        note(f"{quoted(path)} was cut short: {what}")
+
+
 def quoted(text):
     """A name or a value as messages show it, on one line."""
     shown = "".join(

@@ -54,6 +54,8 @@ def identify(
                else finding.FINDERS)
     with progress.bar("reading") as told:
         read = [flights.read(each, told) for each in records]
+    for flight in read:
+        faults.note_cut_short(flight.path, flight.cut_short)
     result = analysis.identify(read, own, finders, hold_out)
     if all(axis.fit is None for axis in result.axes.values()):
         raise faults.Refused(no_result(result))

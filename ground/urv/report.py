@@ -45,6 +45,4 @@ def report(
                 read, pages_events, pages_summary, beside):
             page.write(text)
     for flight in read:
-        if flight.cut_short:
-            faults.note(f"{faults.quoted(flight.path)} was cut short:"
-                        f" {flight.cut_short}")
+        faults.note_cut_short(flight.path, flight.cut_short)

@@ -671,6 +671,15 @@ def test_gnd61_a_flight_without_manoeuvres_gives_one_line(
     assert not (tmp_path / "report.html").exists()
 
 
+def test_gnd61_a_record_that_was_cut_short_is_reported(urv, tmp_path):
+    fly(tmp_path, "--seconds", "5")
+    record = tmp_path / "record.csv"
+    record.write_bytes(record.read_bytes()[:-20])
+    result = urv("identify", "record.csv")
+    assert result.stderr.splitlines()[0].startswith(
+        'urv: "record.csv" was cut short: '), result.stderr
+
+
 def test_gnd61_manoeuvres_with_gaps_are_not_used(urv, tmp_path, flown):
     (tmp_path / "cut.txt").write_text("7000 cut 500\n", "utf-8")
     folder = fly(tmp_path, "--plant", "jsbsim", "--sticks",
