@@ -340,7 +340,10 @@ class Flight:
                         for name in names] for names in (console, servos))
         for frames in range(LONGEST_LATENCY_FRAMES, 0, -1):
             before = numpy.maximum(moved - frames, 0)
-            fits = is_new[before]
+            # Not beyond a gap, in which the servo may have moved at any time.
+            fits = is_new[before] & (
+                self.seconds[moved] - self.seconds[before]
+                < (frames + 0.5) * packets.FRAME_S)
             for stick, servo in zip(asked, done, strict=True):
                 fits &= stick[before] == servo[moved]
             found = numpy.where(fits, before, found)

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy
 
-from urv import items, verdicts
+from urv import items, packets, verdicts
 
 # Roles, for which the page has a colour and a dash. Cyan is for requested
 # values; amber and red are for limits alone.
@@ -147,11 +147,15 @@ def column_of(trace, flight):
 
 
 def rate(flight, column):
-    """The increase of a count in the last second, at each row."""
+    """The increase of a count in the last second, at each row; NaN where the row
+    before that second is missing, or where the count began again."""
     seconds, count = flight.seconds, flight.columns[column]
     before = numpy.searchsorted(seconds, seconds - 1.0 + 1e-6) - 1
-    risen = count - count[numpy.maximum(before, 0)]
-    return numpy.where(before < 0, numpy.nan, risen)
+    first = numpy.maximum(before, 0)
+    risen = count - count[first]
+    is_known = (before >= 0) & (risen >= 0) & (
+        seconds - seconds[first] <= 1.0 + 1.5 * packets.FRAME_S)
+    return numpy.where(is_known, risen, numpy.nan)
 
 
 class Pack:

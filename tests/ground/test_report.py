@@ -9,10 +9,11 @@ import subprocess
 import zlib
 from html.parser import HTMLParser
 
+import numpy
 import pytest
 from conftest import URV, fly, run
 
-from urv import flights, items, verdicts
+from urv import flights, items, panels, verdicts
 
 MB = 10 ** 6
 
@@ -621,3 +622,37 @@ def test_rtp4_a_report_has_the_round_trip_that_a_partition_measured(
     assert "round trip of the line, at most 3.9 ms no limit" in text
     assert re.search(r"answers after the board had given up . caution 2"
                      r" messages none", text), text.split("answers after")
+
+
+def flight_of(**columns):
+    return flights.Flight("record.csv", {
+        name.replace("__", "."): numpy.asarray(values, float)
+        for name, values in columns.items()})
+
+
+def test_gnd14_the_messages_of_a_second_are_not_those_of_a_gap():
+    """50 messages a second, 10 s without rows, and another start."""
+    rows = numpy.r_[0:200, 700:900]
+    count = numpy.where(rows < 850, rows, rows - 850)
+    found = panels.rate(flight_of(
+        time_ms=20 * rows, link__uplink_received=count),
+        "link.uplink_received")
+    is_known = numpy.isin(rows, [*range(50, 200), *range(750, 850)])
+    assert (found[is_known] == 50).all()
+    assert numpy.isnan(found[~is_known]).all()
+
+
+def test_gnd14_no_latency_is_measured_over_a_gap():
+    """A stick moves at row 10, its servo at row 12; later both do again, with
+    missing rows between them."""
+    rows = numpy.r_[0:30, 530:560]
+    stick, servo = numpy.zeros((2, 1_000))
+    stick[10:] = servo[12:] = 100
+    stick[28:] = servo[530:] = 200
+    columns = {f"console__{name}": numpy.zeros(60)
+               for name in flights.STICKS} | {
+        f"pwm__{name}": numpy.zeros(60) for name in flights.SERVOS}
+    columns["console__roll"] = stick[rows]
+    columns[f"pwm__{flights.SERVOS[0]}"] = servo[rows]
+    seconds, milliseconds = flight_of(time_ms=20 * rows, **columns).latencies
+    assert ([*seconds], [*milliseconds.round()]) == ([0.24], [40])
