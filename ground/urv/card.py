@@ -68,7 +68,8 @@ def programme(
         with whole_files.replacing(path) as kept:
             kept.write_text(text, "ascii")
     print(f"{made.seconds:g} s: bin/urv_sim fly --plant jsbsim --sticks"
-          f" {sticks} --orders {orders} --seconds {made.seconds:g}")
+          f" {shown(sticks)} --orders {shown(orders)}"
+          f" --seconds {made.seconds:g}")
 
 
 @app.command()
@@ -107,6 +108,15 @@ def send(
           " back in its log")
 
 
+def shown(path):
+    """A path as a command line has it, without control characters."""
+    import shlex
+    from urv import faults
+
+    text = str(path)
+    return shlex.quote(text) if text.isprintable() else faults.quoted(text)
+
+
 def chosen(file, choose):
     """The cards of a file, and the order that chooses the first one."""
     from urv import cards, faults
@@ -119,10 +129,13 @@ def chosen(file, choose):
 
 def lines(card):
     """The card as text."""
+    from urv import faults
+
     largest = {each: abs(values).max()
                for each, values in card.signals().items()}
     place = "" if card.place == "servo" else f" {card.place}"
-    yield (f"slot {card.slot}: {card.name or card.kind}: {card.seconds:g} s, "
+    name = faults.quoted(card.name) if card.name else card.kind
+    yield (f"slot {card.slot}: {name}: {card.seconds:g} s, "
            + ", ".join(f"{each.replace('_', ' ')}{place} {size:.2f}"
                        f" {card.unit(each)}"
                        for each, size in largest.items()))

@@ -58,7 +58,7 @@ def keygen(
             write(os.open(path, os.O_WRONLY), text)
     else:
         make(file, text)
-    print(f"{file}: key {number}"
+    print(f"{faults.quoted(file)}: key {number}"
           + (f", and key {old[0][0]} as before" if old else ""))
 
 

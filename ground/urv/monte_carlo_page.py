@@ -8,6 +8,7 @@ from html import escape
 from pathlib import Path
 
 from urv import monte_carlo_results, success
+from urv.monte_carlo import HISTORIES
 
 FOLDER = Path(__file__).parent
 POLICY = ("default-src 'none'; style-src 'unsafe-inline'; base-uri 'none';"
@@ -39,10 +40,12 @@ def page(campaign, cargo_hash, flights, command):
 
 
 def head(campaign, cargo_hash, flights):
+    # Flights with histories have drawn lengths; this is the longest.
+    up_to = "up to " * (campaign.pilot == HISTORIES)
     return (
         f"<header>\n<h1>{len(flights)} flights by chance</h1>\n"
         f"<p>Pilot <b>{escape(campaign.pilot)}</b>,"
-        f" {campaign.seconds} s each, seeds {flights[0].seed} to"
+        f" {up_to}{campaign.seconds} s each, seeds {flights[0].seed} to"
         f" {flights[-1].seed}.</p>\n"
         f"<p>Simulation and aircraft: SHA-256 {cargo_hash}.</p>\n</header>\n")
 

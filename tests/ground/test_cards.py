@@ -94,6 +94,16 @@ def test_fti7_the_command_refuses_a_bad_file_in_one_line(tmp_path, moves):
     assert (result.returncode, len(result.stderr.splitlines())) == (2, 1)
 
 
+def test_gnd10_a_name_of_a_card_moves_no_cursor(tmp_path):
+    result = run("check", written(tmp_path, GOOD.replace(
+        "elevator doublet", r"a\u001b[2Jb", 1)))
+    assert r'slot 1: "a\x1b[2Jb": 0.8 s' in result.stdout
+    result = run("programme", tmp_path / "cards.toml", "--sticks",
+                 tmp_path / "a\x1b.csv", "--orders", tmp_path / "b c")
+    assert result.returncode == 0 and "\x1b" not in result.stdout
+    assert f"--orders '{tmp_path / 'b c'}'" in result.stdout
+
+
 PLACED = """
 [[card]]
 kind = "step"
@@ -142,7 +152,7 @@ def test_fti7_d100_inputs_to_sticks_and_commands_become_words(tmp_path):
     assert deck[3].signals()["airspeed"].max() == 5
     result = run("check", tmp_path / "cards.toml", "--plot",
                  tmp_path / "plot.html")
-    assert "slot 2: bank step: 4 s, bank command 10.00 deg" in result.stdout
+    assert 'slot 2: "bank step": 4 s, bank command 10.00 deg' in result.stdout
     assert "pitch stick 10.01 %" in result.stdout
     assert "airspeed command 5.00 kt" in result.stdout
     assert "pitch stick" in (tmp_path / "plot.html").read_text("utf-8")
@@ -173,7 +183,7 @@ def test_fti7_the_commands_print_and_plot(tmp_path):
     plot = tmp_path / "plot.html"
     result = run("check", path, "--plot", plot)
     assert result.returncode == 0, result.stderr
-    assert "slot 1: elevator doublet: 0.8 s" in result.stdout
+    assert 'slot 1: "elevator doublet": 0.8 s' in result.stdout
     assert "left rudder: 0.4, 0.7, 1, 1.3, 1.6, 1.9 Hz" in result.stdout
     assert plot.read_text("utf-8").count("<svg") == 4
     result = run("orders", path, "--begin-ms", 1000)

@@ -106,3 +106,9 @@ def test_sec15_an_added_key_follows_no_link(urv, tmp_path):
     (tmp_path / ".link.key.new").symlink_to("precious")
     assert urv("keygen", "--add", "link.key").returncode == 0
     assert not (tmp_path / "precious").exists()
+
+
+def test_gnd10_the_name_of_a_key_moves_no_cursor(urv, tmp_path):
+    found = urv("keygen", "a\x1b[2J.key")
+    assert (found.returncode, found.stdout) == (
+        0, '"a\\x1b[2J.key": key 1\n')

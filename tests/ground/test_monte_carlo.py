@@ -513,3 +513,12 @@ def test_gnd53_a_table_that_is_lost_costs_no_page(
     with pytest.raises(faults.Failed, match="results.parquet.*No space left"):
         monte_carlo.keep(campaign, "hash", found)
     assert "</html>" in (tmp_path / "report.html").read_text("utf-8")
+
+
+@pytest.mark.parametrize("pilot, text", [
+    ("standard", "</b>, 150 s each"), ("histories", "</b>, up to 150 s each")])
+def test_the_page_has_the_length_of_its_flights(pilot, text):
+    head = monte_carlo_page.head(
+        SimpleNamespace(pilot=pilot, seconds=150), "0a",
+        [SimpleNamespace(seed=1)])
+    assert text in head
