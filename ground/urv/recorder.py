@@ -23,22 +23,39 @@ def fetch(
     """Fetch the recorder's rows from the aircraft, which is on the ground.
 
     Status 0: all rows have come. Status 1: some are missing; FILE has the
-    others, and the missing ones are named."""
+    others, and the missing ones are named. An interrupted fetch keeps its rows,
+    too."""
     from urv import faults, recorder_fetch, recordings, whole_files
 
     check_name(file)
+    whole_files.check(file)
+    ended = None
     with recorder_fetch.Node(console) as node:
         made = recorder_fetch.Fetch(node, last)
-        made.run()
+        try:
+            made.run()
+        except (faults.Failed, OSError, KeyboardInterrupt) as fault:
+            # The rows that have come are kept.
+            ended = fault
+    if ended is not None and not made.rows.rows:
+        raise ended
     with whole_files.replacing(file) as path:
         recordings.write(path, made.rows.in_order())
     missing = made.missing()
-    print(f"{len(made.rows.rows)} of {made.end - made.first} rows fetched,"
-          f" {made.first} to {made.end - 1}")
+    print(f"{made.end - made.first - len(missing)} of {made.end - made.first}"
+          f" rows fetched, {made.first} to {made.end - 1}", flush=True)
+    if isinstance(ended, KeyboardInterrupt):
+        faults.note(lacking(missing, "interrupted"))
+        raise ended
     if missing:
-        raise faults.Failed(
-            f"{len(missing)} rows are missing"
-            f" ({recorder_fetch.named(missing)}): {made.reason}")
+        raise faults.Failed(lacking(missing, ended or made.reason))
+
+
+def lacking(missing, reason):
+    from urv import recorder_fetch
+
+    return (f"{len(missing)} rows are missing"
+            f" ({recorder_fetch.named(missing)}): {reason}")
 
 
 @app.command()

@@ -14,6 +14,7 @@ write to, a link could lead to any file of the user. The names of the program's
 own descriptors, /dev/stdout and the like, are no such links.
 """
 
+import errno
 import os
 import re
 import secrets
@@ -52,6 +53,24 @@ def replacing(target, mode=0o666):
                 _give_name(file, target)
     except OSError as fault:
         raise faults.Failed(f"{faults.quoted(named)} cannot be written:"
+                            f" {faults.reason(fault)}") from fault
+
+
+def check(target):
+    """Raises faults.Refused or faults.Failed if `replacing` could not write the
+    file now: to be called before long work."""
+    refuse_link(target)
+    path = Path(target)
+    try:
+        if path.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if _can_be_replaced(path):
+            part = _part(path, os.getpid())
+            os.close(os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL
+                             | os.O_NOFOLLOW, 0o600))
+            part.unlink()
+    except OSError as fault:
+        raise faults.Failed(f"{faults.quoted(target)} cannot be written:"
                             f" {faults.reason(fault)}") from fault
 
 

@@ -7,8 +7,8 @@ import random
 import pytest
 from fake_node import blocks_of
 
-from urv import (faults, flights, packets, recorder_blocks, recorder_fetch,
-                 recordings, records)
+from urv import (faults, flights, packets, recorder, recorder_blocks,
+                 recorder_fetch, recordings, records)
 
 
 def row_of(number, chance):
@@ -250,3 +250,66 @@ def test_fti10_blocks_that_are_no_text_are_refused_in_one_line(urv, tmp_path):
     assert (result.returncode, result.stderr) == (
         2, 'urv: "blocks.txt": not a file of --fetched\n')
     assert not (tmp_path / "a.recording").exists()
+
+
+class Ended(Aircraft):
+    """Raises a fault after 500 blocks, as a node that ends or a signal does."""
+
+    def __init__(self, rows, fault):
+        super().__init__(rows)
+        self.left, self.fault = 500, fault
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        pass
+
+    def block(self):
+        self.left -= 1
+        if self.left < 0:
+            raise self.fault
+        return super().block()
+
+
+@pytest.mark.parametrize("fault", [
+    KeyboardInterrupt(), faults.Failed("nothing listens there"),
+    OSError(101, "Network is unreachable")], ids=["signal", "node", "network"])
+def test_fti10_a_fetch_that_ends_early_keeps_its_rows(
+        tmp_path, monkeypatch, capsys, fault):
+    chance = random.Random(4)
+    aboard = [row_of(number, chance) for number in range(300)]
+    monkeypatch.setattr(recorder_fetch, "Node",
+                        lambda _console: Ended(aboard, fault))
+    file = tmp_path / "a.recording"
+    with pytest.raises((KeyboardInterrupt, faults.Failed)) as ended:
+        recorder.fetch(file, "udp:127.0.0.1:6004", None)
+    kept = [*map(tuple, recordings.Recording(file).rows)]
+    assert kept == [*aboard[:len(kept) - 1], aboard[-1]]
+    assert 100 <= len(kept) < 130
+    said = capsys.readouterr()
+    assert said.out == f"{len(kept)} of 300 rows fetched, 0 to 299\n"
+    assert (f"{300 - len(kept)} rows are missing ({len(kept) - 1} to 298): "
+            in said.err + str(ended.value))
+
+
+def test_fti10_an_interruption_before_the_first_row_leaves_no_file(
+        tmp_path, monkeypatch):
+    chance = random.Random(4)
+    node = Ended([row_of(0, chance)], KeyboardInterrupt())
+    node.left = 0
+    monkeypatch.setattr(recorder_fetch, "Node", lambda _console: node)
+    with pytest.raises(KeyboardInterrupt):
+        recorder.fetch(tmp_path / "a.recording", "udp:127.0.0.1:6004", None)
+    assert not [*tmp_path.iterdir()]
+
+
+@pytest.mark.parametrize("name", ["none/a.recording", "folder.recording"])
+def test_fti10_a_file_that_cannot_be_written_is_refused_first(
+        tmp_path, monkeypatch, name):
+    (tmp_path / "folder.recording").mkdir()
+    monkeypatch.setattr(recorder_fetch, "Node", lambda _console: pytest.fail(
+        "the aircraft was asked"))
+    with pytest.raises(faults.Failed, match="cannot be written"):
+        recorder.fetch(tmp_path / name, "udp:127.0.0.1:6004", None)
+    assert [each.name for each in tmp_path.iterdir()] == ["folder.recording"]
