@@ -94,7 +94,7 @@ def test_fti7_the_command_refuses_a_bad_file_in_one_line(tmp_path, moves):
     assert (result.returncode, len(result.stderr.splitlines())) == (2, 1)
 
 
-def test_gnd10_a_name_of_a_card_moves_no_cursor(tmp_path):
+def test_fti7_a_name_of_a_card_moves_no_cursor(tmp_path):
     result = run("check", written(tmp_path, GOOD.replace(
         "elevator doublet", r"a\u001b[2Jb", 1)))
     assert r'slot 1: "a\x1b[2Jb": 0.8 s' in result.stdout

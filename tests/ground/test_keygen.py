@@ -108,7 +108,7 @@ def test_sec15_an_added_key_follows_no_link(urv, tmp_path):
     assert not (tmp_path / "precious").exists()
 
 
-def test_gnd10_the_name_of_a_key_moves_no_cursor(urv, tmp_path):
+def test_sec5_the_name_of_a_key_moves_no_cursor(urv, tmp_path):
     found = urv("keygen", "a\x1b[2J.key")
     assert (found.returncode, found.stdout) == (
         0, '"a\\x1b[2J.key": key 1\n')
