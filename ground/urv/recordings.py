@@ -9,7 +9,11 @@ bin/urv recorder. A row counts only if its sums are right.
 
 from __future__ import annotations
 
+import os
 import re
+import struct
+import tempfile
+from collections.abc import Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -30,8 +34,8 @@ MOST_ROWS = 2 ** 22
 """Numbers of rows are smaller."""
 
 _LINE = re.compile(f"[0-9a-f]{{{4 * WORDS}}}")
+_ROW = struct.Struct(f">{WORDS}H")
 
-FRAME_MS = TABLES["frame_us"] / 1000
 TICK_US = 2_000
 
 
@@ -64,9 +68,39 @@ def words_of(line: str):
     text = line.rstrip("\n")
     if not _LINE.fullmatch(text):
         return None
-    words = tuple(int(text[at:at + 4], 16)
-                  for at in range(0, len(text), 4))
+    words = _ROW.unpack(bytes.fromhex(text))
     return words if is_right(words) else None
+
+
+class Rows(Sequence):
+    """Rows in order, in a nameless file: hours of them would not fit into
+    memory (GND-13)."""
+
+    def __init__(self):
+        self.file = tempfile.TemporaryFile()
+        self.many = 0
+
+    def append(self, words):
+        self.file.write(_ROW.pack(*words))
+        self.many += 1
+
+    def packed(self, first, last):
+        """The bytes of the rows from first to before last."""
+        self.file.flush()
+        return os.pread(self.file.fileno(), (last - first) * _ROW.size,
+                        first * _ROW.size)
+
+    def __len__(self):
+        return self.many
+
+    def __getitem__(self, place):
+        if isinstance(place, slice):
+            return [self[each] for each in range(*place.indices(self.many))]
+        place = range(self.many)[place]
+        return _ROW.unpack(self.packed(place, place + 1))
+
+    def __eq__(self, other):
+        return list(self) == list(other)
 
 
 class Recording:
@@ -75,12 +109,18 @@ class Recording:
 
     def __init__(self, path: Path):
         self.path = path
-        self.rows = []
+        self.rows = Rows()
         self.wrong = []
         """The lines that are no rows, but for a last one without its end."""
         self.cut_short = None
         with input_files.opened_ascii(path) as file:
-            self.read(file)
+            try:
+                self.read(file)
+            except OSError as fault:
+                raise faults.Failed(
+                    f"{faults.quoted(path)}: its rows cannot be kept in"
+                    f" {tempfile.gettempdir()}: {faults.reason(fault)}"
+                ) from fault
 
     def read(self, file):
         where = faults.quoted(self.path)
@@ -92,22 +132,21 @@ class Recording:
         if first != TITLE + "\n":
             raise faults.Refused(f"{where}: not a recording: it does not begin"
                                  f" with \"{TITLE}\"")
-        number = 1
+        number, last = 1, -1
         while line := file.readline(4 * WORDS + 2):
             number += 1
             if line == TITLE + "\n":
-                self.rows, self.wrong = [], []
+                self.rows, self.wrong, last = Rows(), [], -1
                 continue
             words = words_of(line)
             if not line.endswith("\n"):
                 self.cut_short = (f"its line {number} is not whole and left"
                                   " out")
-            elif words is None or (
-                    self.rows
-                    and number_of(words) <= number_of(self.rows[-1])):
+            elif words is None or number_of(words) <= last:
                 self.wrong.append(number)
             else:
                 self.rows.append(words)
+                last = number_of(words)
         if self.wrong:
             self.cut_short = (
                 f"{len(self.wrong)} lines are no rows, the first is line"
@@ -144,10 +183,11 @@ LAWS = ("lateral", "vertical", "power", "link")
 
 
 def columns_of(words) -> dict[str, int]:
-    """A row as that of a record: the columns of the aircraft's own."""
+    """A row as that of a record: the columns of the aircraft's own. Each word
+    may be an array, of that word in many rows."""
     tick = words[2] << 16 | words[3]
     frame = tick * TICK_US // TABLES["frame_us"]
-    found = {"frame": frame, "time_ms": round((frame + 1) * FRAME_MS)}
+    found = {"frame": frame, "time_ms": (frame + 1) * TABLES["frame_us"] // 1000}
     for group, first in GROUPS.items():
         for place, name in enumerate(_names(group)):
             found[name] = words[first + place]
@@ -172,15 +212,12 @@ class Record:
     position = 0
 
     def __init__(self, recording):
-        import numpy
         from urv import records
 
-        rows = [list(columns_of(words).values()) for words in recording.rows]
         names = list(columns_of((0,) * WORDS))
         self.cut_short = recording.cut_short
         self.columns = records.Columns(names, [0] * len(names))
-        self.table = numpy.array(rows, numpy.float64).reshape(
-            len(rows), len(names))
+        self.rows = recording.rows
 
     @property
     def names(self):
@@ -191,10 +228,17 @@ class Record:
         return self.columns.decimals
 
     def blocks(self):
+        import numpy
         from urv import records
 
-        for first in range(0, len(self.table), records.ROWS_PER_BLOCK):
-            yield self.table[first:first + records.ROWS_PER_BLOCK]
+        many = len(self.rows)
+        for first in range(0, many, records.ROWS_PER_BLOCK):
+            words = numpy.frombuffer(self.rows.packed(
+                first, min(first + records.ROWS_PER_BLOCK, many)),
+                ">u2").reshape(-1, WORDS)
+            yield numpy.array(
+                [*columns_of(words.T.astype(numpy.int64)).values()],
+                numpy.float64).T.copy()
 
 
 @contextmanager

@@ -5,6 +5,7 @@ damaged, files that are not whole, and the packets."""
 import random
 
 import pytest
+from conftest import run_measured
 from fake_node import blocks_of
 
 from urv import (faults, flights, packets, recorder, recorder_blocks,
@@ -220,6 +221,34 @@ def test_fti11_a_recording_of_version_1_is_refused(tmp_path, rows):
                                                     "recording 1"), "ascii")
     with pytest.raises(faults.Refused, match="a recording of version 1"):
         recordings.Recording(path)
+
+
+def long_recording(path, rows):
+    """Rows with right sums, all words of the sensors alike."""
+    with path.open("w", encoding="ascii") as file:
+        file.write(recordings.TITLE + "\n")
+        for number in range(rows):
+            tick = 10 * number
+            words = (number >> 16, number & 0xFFFF, tick >> 16, tick & 0xFFFF,
+                     *(2_048,) * 66)
+            file.write(recordings.line_of((*words, *recordings.sums(words))))
+
+
+def test_gnd13_a_recording_of_an_hour_needs_little_memory(tmp_path):
+    """As a list of tuples its rows took 430 MB, and 8 hours more than there
+    is."""
+    rows = 180_000
+    long_recording(tmp_path / "a.recording", rows)
+    status, said, most = run_measured(
+        tmp_path, "convert", "a.recording", "a.parquet")
+    assert (status, said) == (0, "")
+    assert most < 200
+    with records.opened(tmp_path / "a.parquet") as record:
+        frames = record.names.index("frame")
+        times = record.names.index("time_ms")
+        table = [row for block in record.blocks()
+                 for row in block[:, [frames, times]].tolist()]
+    assert table == [[number, 20 * number + 20] for number in range(rows)]
 
 
 def test_fti11_another_file_is_no_recording(tmp_path):
