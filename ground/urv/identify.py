@@ -2,6 +2,7 @@
 """bin/urv identify: derivatives from flights (GND-61 to GND-63)."""
 
 import os
+import resource
 from pathlib import Path
 from typing import Annotated, Optional
 
@@ -48,7 +49,7 @@ def identify(
         raise faults.Refused(f"there may be {MOST_RECORDS} records")
     if manoeuvres and len(records) > 1:
         raise faults.Refused("--manoeuvres has the times of one record")
-    input_files.limit_memory()
+    before = input_files.limit_memory()
     own = aircraft_file.read(aircraft or aircraft_file.DEFAULT)
     finders = ((finding.from_file(manoeuvres),) if manoeuvres
                else finding.FINDERS)
@@ -56,7 +57,13 @@ def identify(
         read = [flights.read(each, told) for each in records]
     for flight in read:
         faults.note_cut_short(flight.path, flight.cut_short)
-    result = analysis.identify(read, own, finders, hold_out)
+    # The limit is for damaged files; many records rightly need more.
+    resource.setrlimit(resource.RLIMIT_DATA, before)
+    try:
+        result = analysis.identify(read, own, finders, hold_out)
+    except MemoryError as fault:
+        raise faults.Failed(f"the manoeuvres of {len(read)} records need more"
+                            " memory than there is: give fewer") from fault
     if all(axis.fit is None for axis in result.axes.values()):
         raise faults.Refused(no_result(result))
     for line in lines(result):

@@ -97,7 +97,8 @@ def parsed(text):
 
 def limit_memory():
     """Limits the additional memory of this process; beyond it there is a
-    MemoryError. To be called before Arrow is imported."""
+    MemoryError. To be called before Arrow is imported. Returns the limits
+    before."""
     # Arrow's own allocator reserves 1 GB at once if it can.
     os.environ["ARROW_DEFAULT_MEMORY_POOL"] = "system"
     with open("/proc/self/status", encoding="ascii") as file:
@@ -107,3 +108,4 @@ def limit_memory():
     least = min(limit for limit in (soft, hard, most)
                 if limit != resource.RLIM_INFINITY)
     resource.setrlimit(resource.RLIMIT_DATA, (least, hard))
+    return soft, hard

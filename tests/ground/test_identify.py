@@ -120,6 +120,32 @@ def test_gnd62_without_noise_the_derivatives_are_the_true_ones():
         assert fit.values[name] == pytest.approx(value, rel=1e-3), name
 
 
+def test_gnd62_slopes_take_memory_in_proportion_to_the_manoeuvres():
+    """Those of a manoeuvre have its own parameters and the shared ones only,
+    and the normal equations are those of all rows."""
+    problem = output_error.Problem(
+        Oscillator(), [*oscillation(1, 0.0), *oscillation(2, 0.0)])
+    noise = numpy.array([0.01, 0.02])
+    residuals, slopes = problem.reduced(problem.start, noise)
+    base, changed = problem.integrate(problem.start, True)
+    differences = problem.differences(base)
+    squares, normal, right = 0.0, numpy.zeros((15, 15)), numpy.zeros(15)
+    for number, table in enumerate(problem.sensitivities(changed, base)):
+        assert table.shape == (2, 300, 5)
+        own = problem.columns(number)
+        flat = -(table / noise[:, None, None]).reshape(-1, 5)
+        rest = (differences[number] / noise[:, None]).ravel()
+        normal[numpy.ix_(own, own)] += flat.T @ flat
+        right[own] += flat.T @ rest
+        squares += rest @ rest
+    assert slopes.shape == (6 * 6, 15)
+    numpy.testing.assert_allclose(slopes.T @ slopes, normal, rtol=1e-9,
+                                  atol=1e-9 * normal.max())
+    numpy.testing.assert_allclose(slopes.T @ residuals, right, rtol=1e-9,
+                                  atol=1e-9 * abs(right).max())
+    assert residuals @ residuals == pytest.approx(squares)
+
+
 def test_gnd62_intervals_of_white_noise_hold_the_truth():
     fits = [estimated(oscillation(seed, 0.0)) for seed in range(10)]
     assert 0.88 <= covered(fits, "deviations") <= 1.0

@@ -19,7 +19,7 @@ weighted by Bartlett's window, so that no variance is below zero."""
 
 
 def covariances(slopes, residuals, priors=(), considered=None,
-                gradients=()):
+                gradients=(), columns=None, many=None):
     """The covariance for coloured residuals, that for white ones, and the first
     as if considered parameters were known exactly.
 
@@ -30,15 +30,18 @@ def covariances(slopes, residuals, priors=(), considered=None,
     gradients are of the likelihood, by changes of the outputs that noise of the
     inputs makes: arrays of draws, parameters. What a model integrates is coloured
     over more than any lag, so that the residuals show too little of it.
+    columns are the places of each segment's parameters among the many of all;
+    without them, each segment has all parameters.
     """
     considered = considered or {}
-    many = slopes[0].shape[2]
+    many = many or slopes[0].shape[2]
+    columns = columns or [numpy.arange(many)] * len(slopes)
     information = numpy.zeros((many, many))
-    for each in slopes:
-        flat = each.reshape(-1, many)
-        information += flat.T @ flat
+    for each, own in zip(slopes, columns, strict=True):
+        flat = each.reshape(-1, len(own))
+        information[numpy.ix_(own, own)] += flat.T @ flat
     kernel = _kernel(residuals)
-    middle = _middle(slopes, kernel)
+    middle = _middle(slopes, kernel, columns, many)
     # A considered parameter has a column only for its effect on the others.
     effect = {index: information[:, index].copy() for index in considered}
     for index in considered:
@@ -116,18 +119,17 @@ def _independent(residuals, kernel):
     return max(total, 1.0)
 
 
-def _middle(slopes, kernel):
-    many = slopes[0].shape[2]
+def _middle(slopes, kernel, columns, many):
     longest = kernel.shape[2] // 2
     middle = numpy.zeros((many, many))
-    for table in slopes:
+    for table, own in zip(slopes, columns, strict=True):
         length = table.shape[1]
         for one in range(len(table)):
             for other in range(len(table)):
                 # Sum over k of kernel(k) table(i + k).
                 whole = signal.fftconvolve(
                     table[other], kernel[one, other, ::-1, None], axes=0)
-                middle += table[one].T @ whole[longest:longest + length]
+                middle[numpy.ix_(own, own)] += table[one].T @ whole[longest:longest + length]
     return (middle + middle.T) / 2.0
 
 

@@ -209,22 +209,29 @@ class Problem:
 
     def integrated(self, vector, with_changes):
         """Columns are the segments, then the segments with each parameter
-        changed."""
+        changed; some segments at once, since the inputs take much memory."""
         count, many = len(self.segments), len(self.model.parameters)
         base = self.locals(vector)
         steps = list(self.changes()) if with_changes else []
-        sets = [base]
-        for local, step in steps:
-            changed = base.copy()
-            changed[:, local] += step * (self.places[:, local] >= 0)
-            sets.append(changed)
-        table = numpy.concatenate(sets).T
-        values, states = table[:many], table[many:].copy()
-        out = self.outputs_of(
-            self.input_table(base, sets, steps), states, values)
-        return out[:, :, :count], [
-            (local, change, out[:, :, (place + 1) * count:(place + 2) * count])
-            for place, (local, change) in enumerate(steps)]
+        shape = len(self.model.outputs), self.longest, count
+        found = [numpy.empty(shape) for _ in range(1 + len(steps))]
+        at_once = max(1, MOST_AT_ONCE // (self.longest * len(found)))
+        for first in range(0, count, at_once):
+            group = slice(first, first + at_once)
+            sets = [base[group]]
+            for local, step in steps:
+                changed = base[group].copy()
+                changed[:, local] += step * (self.places[group, local] >= 0)
+                sets.append(changed)
+            table = numpy.concatenate(sets).T
+            values, states = table[:many], table[many:].copy()
+            out = self.outputs_of(self.input_table(
+                self.segments[group], sets, steps), states, values)
+            for each, part in zip(found, numpy.split(
+                    out, len(found), axis=2), strict=True):
+                each[:, :, group] = part
+        return found[0], [(local, change, outputs) for (local, change), outputs
+                          in zip(steps, found[1:], strict=True)]
 
     def outputs_of(self, inputs, states, values):
         """The outputs of all columns, by Runge and Kutta's method: outputs,
@@ -265,7 +272,7 @@ class Problem:
     def disturbed(self, vector, draws, chance):
         many, count = len(self.model.parameters), len(self.segments)
         base = self.locals(vector)
-        inputs = self.input_table(base, [base], [])
+        inputs = self.input_table(self.segments, [base], [])
         tiled = numpy.tile(inputs, (1, 1, draws))
         for row, name in enumerate(self.model.noisy):
             sizes = numpy.tile([measurements.noise_of(each[name])
@@ -282,13 +289,13 @@ class Problem:
              .transpose(2, 0, 1)[:, :, :len(part.times)] * part.is_fresh)
             for number, part in enumerate(self.segments)]
 
-    def input_table(self, base, sets, steps):
+    def input_table(self, segments, sets, steps):
         """Inputs at the frames and between them: times, inputs, columns."""
         model = self.model
 
         def of(values):
             found = []
-            for part, row in zip(self.segments, values, strict=True):
+            for part, row in zip(segments, values, strict=True):
                 times = part.times[0] + 0.5 * part.step * numpy.arange(
                     2 * self.longest - 1)
                 times = numpy.minimum(times, part.times[-1])
@@ -296,7 +303,7 @@ class Problem:
                     part, times, row[:len(model.parameters)]))
             return numpy.array(found).transpose(2, 1, 0)
 
-        common = of(base)
+        common = of(sets[0])
         tables = [common]
         for (local, _), changed in zip(steps, sets[1:], strict=True):
             is_input = (local < len(model.parameters)
@@ -311,47 +318,75 @@ class Problem:
             for number, (part, measured) in enumerate(
                 zip(self.segments, self.measured, strict=True))]
 
+    def columns(self, number):
+        """The places of a segment's parameters, its own and the shared ones."""
+        return numpy.unique(self.places[number][self.places[number] >= 0])
+
     def sensitivities(self, changed, base):
-        """Of the outputs of each segment: outputs, times, parameters."""
-        found = []
+        """Of the outputs of each segment: outputs, times, parameters of
+        `columns`."""
         for number, part in enumerate(self.segments):
             length = len(part.times)
+            columns = self.columns(number)
             table = numpy.zeros((len(self.model.outputs), length,
-                                 len(self.start)))
+                                 len(columns)))
             for local, change, outputs in changed:
                 index = self.places[number, local]
                 if index >= 0:
-                    table[:, :, index] += (
+                    table[:, :, numpy.searchsorted(columns, index)] += (
                         outputs[:, :length, number]
                         - base[:, :length, number]) / change
-            found.append(table * part.is_fresh[None, :, None])
-        return found
+            yield table * part.is_fresh[None, :, None]
+
+    def reduced(self, vector, noise):
+        """Residuals and slopes with the same sum of squares and the same normal
+        equations as all of them, but few rows: each segment's are replaced by
+        the triangle of their QR factors."""
+        base, changed = self.integrate(vector, True)
+        residuals, slopes = [], []
+        for number, (each, table) in enumerate(zip(
+                self.differences(base), self.sensitivities(changed, base),
+                strict=True)):
+            columns = self.columns(number)
+            triangle = numpy.linalg.qr(numpy.column_stack((
+                -(table / noise[:, None, None]).reshape(-1, len(columns)),
+                (each / noise[:, None]).ravel())), "r")
+            rows = numpy.zeros((len(triangle), len(vector)))
+            rows[:, columns] = triangle[:, :-1]
+            slopes.append(rows)
+            residuals.append(triangle[:, -1])
+        rows = numpy.zeros((len(self.priors), len(vector)))
+        for row, (index, _, deviation) in enumerate(self.priors):
+            rows[row, index] = 1.0 / deviation
+        residuals.append(numpy.array(
+            [(vector[index] - mean) / deviation
+             for index, mean, deviation in self.priors]))
+        return numpy.concatenate(residuals), numpy.concatenate([*slopes, rows])
 
     def solve(self, noise):
         """The vector of the most likely parameters for this noise, from the
         present start."""
-        def residuals(vector):
-            base, _ = self.integrate(vector, True)
-            found = [(each / noise[:, None]).ravel()
-                     for each in self.differences(base)]
-            found.append(numpy.array(
-                [(vector[index] - mean) / deviation
-                 for index, mean, deviation in self.priors]))
-            return numpy.concatenate(found)
+        newest = [None, None]
 
-        def slopes(vector):
-            base, changed = self.integrate(vector, True)
-            found = [-(each / noise[:, None, None]).reshape(-1, len(vector))
-                     for each in self.sensitivities(changed, base)]
-            rows = numpy.zeros((len(self.priors), len(vector)))
-            for row, (index, _, deviation) in enumerate(self.priors):
-                rows[row, index] = 1.0 / deviation
-            return numpy.concatenate([*found, rows])
+        def reduced(vector):
+            if newest[0] != vector.tobytes():
+                newest[:] = vector.tobytes(), self.reduced(vector, noise)
+            return newest[1]
 
         answer = optimize.least_squares(
-            residuals, self.start, slopes, method="trf", x_scale=self.size,
-            ftol=1e-5, xtol=1e-6, gtol=None, max_nfev=MOST_STEPS)
+            lambda vector: reduced(vector)[0], self.start,
+            lambda vector: reduced(vector)[1], method="trf",
+            x_scale=self.size, ftol=1e-5, xtol=1e-6, gtol=None,
+            max_nfev=MOST_STEPS)
         return answer.x
+
+    def gradients(self, drawn, tables, noise):
+        """Of the likelihood, by changes of the outputs: draws, parameters."""
+        found = numpy.zeros((len(drawn[0]), len(self.start)))
+        for number, (each, table) in enumerate(zip(drawn, tables, strict=True)):
+            found[:, self.columns(number)] += numpy.einsum(
+                "dot,otp->dp", each / noise[:, None], table)
+        return found
 
     def noise(self, differences):
         """The standard deviation of each output's residuals."""
@@ -379,12 +414,14 @@ def estimate(problem: Problem) -> Fit:
     differences = problem.differences(base)
     tables = [each / noise[:, None, None]
               for each in problem.sensitivities(changed, base)]
+    columns = [problem.columns(number)
+               for number in range(len(problem.segments))]
     covariance, white, by_noise = bounds.covariances(
         tables, [each / noise[:, None] for each in differences],
         problem.priors, problem.considered,
-        [sum(numpy.einsum("dot,otp->dp", drawn / noise[:, None], table)
-             for drawn, table in zip(some, tables, strict=True))
-         for some in problem.disturbances(vector)])
+        [problem.gradients(some, tables, noise)
+         for some in problem.disturbances(vector)],
+        columns, len(vector))
     deviations = numpy.sqrt(numpy.maximum(numpy.diag(covariance), 0.0))
     safe = numpy.where(deviations > 0, deviations, 1.0)
     whites = numpy.sqrt(numpy.diag(white))
