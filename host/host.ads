@@ -27,6 +27,12 @@ package Host is
    Microseconds_Per_Millisecond : constant := 1_000;
    Microseconds_Per_Second      : constant := 1_000_000;
 
+   --  Whole seconds by themselves: microseconds as a Duration would have room
+   --  for 2.5 h only.
+   function In_Seconds (Time : Microseconds) return Duration is
+     (Duration (Time / Microseconds_Per_Second)
+      + Duration (Time mod Microseconds_Per_Second) / 1_000_000);
+
    --  The kernel's times.
    Frame_Length : constant := Microseconds_Per_Tick * Ticks_Per_Major_Frame;
    Frame_Milliseconds : constant :=

@@ -41,8 +41,11 @@ package body Partitions.Clocks is
 
    end Last_Tick;
 
+   --  The factors are real numbers: a product with a whole one is a Duration,
+   --  which has room for a second's microseconds of 2.5 h only.
+
    function In_Microseconds (Span : Time_Span) return Host.Microseconds is
-     (Host.Microseconds (To_Duration (Span) * 1_000_000));
+     (Host.Microseconds (To_Duration (Span) * 1.0E6));
 
    procedure Switch_On is
    begin
@@ -115,6 +118,6 @@ package body Partitions.Clocks is
      (Span : Time_Span) return Measurements.Measure
    is
      (if Span <= Time_Span_Zero then 0
-      else Measurements.Measure (To_Duration (Span) * 10_000_000));
+      else Measurements.Measure (To_Duration (Span) * 1.0E7));
 
 end Partitions.Clocks;

@@ -21,6 +21,9 @@ package Partitions.Clocks is
 
    function Switched_On_At return Time;
 
+   function In_Microseconds (Span : Time_Span) return Host.Microseconds
+   with Pre => Span >= Time_Span_Zero;
+
    --  Since the node was switched on.
    function Elapsed return Host.Microseconds;
 

@@ -5,6 +5,7 @@ with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with System;
 
 with Devices.AD_Board; use Devices.AD_Board;
+with Partitions.Exceptions;
 with Partitions.Gates; use Partitions.Gates;
 
 package body Partitions.Converter is
@@ -38,7 +39,8 @@ package body Partitions.Converter is
    --  The end of the last scan, past or future.
    Ended : Time := Time_First;
 
-   --  Samples the channels and returns at the end of their scan.
+   --  Samples the channels and returns at the end of their scan. After an
+   --  exception the scan is missing, and the next one is tried.
    procedure Scan (Words : out Channel_Words; Is_There : out Boolean);
 
    --  Converts the started channel, and the following ones that the controller
@@ -52,7 +54,13 @@ package body Partitions.Converter is
       Present : constant Time    := Clock;
       Is_Next : constant Boolean := Present < Ended + Longest_Gap;
    begin
-      Sample (Is_Next, Words, Is_There);
+      begin
+         Sample (Is_Next, Words, Is_There);
+      exception
+         when Error : others =>
+            Exceptions.Report (Error);
+            Is_There := False;
+      end;
       Ended := (if Is_Next then Ended else Present) + Scan_Time;
       delay until Ended;
    end Scan;

@@ -1,5 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Ada.Task_Identification; use Ada.Task_Identification;
+with Ada.Task_Termination;    use Ada.Task_Termination;
+
 with Host.Memory_Hardware;
 
 package body Partitions.Exceptions is
@@ -48,4 +51,30 @@ package body Partitions.Exceptions is
 
    function First return String is (Latest.First);
 
+   --  Tasks without a handler of their own end by an exception.
+   protected Endings is
+      procedure Note
+        (Cause : Cause_Of_Termination;
+         Which : Task_Id;
+         Error : Exception_Occurrence);
+   end Endings;
+
+   protected body Endings is
+
+      procedure Note
+        (Cause : Cause_Of_Termination;
+         Which : Task_Id;
+         Error : Exception_Occurrence)
+      is
+         pragma Unreferenced (Which);
+      begin
+         if Cause = Unhandled_Exception then
+            Report (Error);
+         end if;
+      end Note;
+
+   end Endings;
+
+begin
+   Set_Dependents_Fallback_Handler (Endings.Note'Access);
 end Partitions.Exceptions;

@@ -30,6 +30,10 @@ package body Partitions.Links is
    Block_Length : constant := 1_024;
    Block : array (1 .. Block_Length) of Byte;
 
+   --  The operating system may report that together with input and errors.
+   function Has_Hung_Up (Request : Poll_Request) return Boolean is
+     (Request.Found / Hung_Up mod 2 = 1);
+
    function Starts_With (Text, Prefix : String) return Boolean is
      (Text'Length > Prefix'Length
       and then Text (Text'First .. Text'First + Prefix'Length - 1) = Prefix);
@@ -107,7 +111,7 @@ package body Partitions.Links is
       Is_Hung_Up :=
         not Is_Hung_Up
         and then Found > 0
-        and then Requests (2).Found = Hung_Up;
+        and then Has_Hung_Up (Requests (2));
 
       if Found > 0 and then Requests (1).Found = Input_Ready then
          Cleared := Read (Wake_Events, Block'Address, 8);
@@ -196,7 +200,7 @@ package body Partitions.Links is
            or else Poll
              (Requests'Address, 1, Limit_Of (Silence),
               System.Null_Address) <= 0
-           or else Requests (1).Found = Hung_Up;
+           or else Has_Hung_Up (Requests (1));
       end loop;
       Error_Marks.Forget (Marks);
    end Discard;
@@ -209,11 +213,14 @@ package body Partitions.Links is
          if Is_Serial then
             Sent := Write (Line, Characters'Address, Length);
          else
-            Sent := Send (Line, Characters'Address, Length, No_Signal);
+            --  Without room the characters are lost: the board does not wait.
+            Sent := Send
+              (Line, Characters'Address, Length, No_Signal + Dont_Wait);
          end if;
 
          --  A socket first reports that an earlier datagram was refused.
-         exit when Is_Serial or else Sent >= 0;
+         exit when Is_Serial or else Sent >= 0
+           or else GNAT.OS_Lib.Errno = Would_Block;
       end loop;
 
       for Missing in Byte_Total'Max (Sent, 0) + 1 .. Byte_Total (Length) loop

@@ -86,6 +86,7 @@ procedure Partitions.Run is
    procedure Report_Refusals;
    procedure Report_Starts;
    procedure Report_Left_Out;
+   procedure Report_Fault;
 
    --  Reports new events of the other node, in that state, and of this one.
    procedure Look_Around (State : Peer_State);
@@ -196,6 +197,7 @@ procedure Partitions.Run is
    Refused_Frame    : Number := 0;
    Reported_Missing : URVOS.Count := 0;
    Missing_Frame    : Number := 0;
+   Fault_Reported   : Boolean := False;
    Reported_Pauses  : URVOS.Count := 0;
    Reported_Starts  :
      array (URV.Errors.Error_Kind range URV.Errors.Warm_Reset
@@ -274,6 +276,16 @@ procedure Partitions.Run is
       end if;
    end Report_Left_Out;
 
+   procedure Report_Fault is
+   begin
+      if Exceptions.Number > 0 and then not Fault_Reported then
+         Notes.Print
+           ("internal fault by " & Seconds (Frames) & " s: "
+            & Exceptions.First);
+         Fault_Reported := True;
+      end if;
+   end Report_Fault;
+
    procedure Look_Around (State : Peer_State) is
       Tally     : constant Telemetry.Boards.Statistics := This_Node.Link_Tally;
       Is_Broken : Boolean;
@@ -283,6 +295,7 @@ procedure Partitions.Run is
       Report_Refusals;
       Report_Starts;
       Report_Left_Out;
+      Report_Fault;
       declare
          Message : constant String :=
            Round_Trips.Next_Message (Seconds (Frames));

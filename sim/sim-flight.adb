@@ -491,7 +491,7 @@ package body Sim.Flight is
             exit when Frame_End = Length or else Signals.Interrupted
               or else Outputs.Is_Unread (Files, Chosen);
             if Chosen.Pace = Realtime then
-               delay until Began + Duration (Frame_End) / 1_000_000;
+               delay until Began + In_Seconds (Frame_End);
             end if;
             Frame_End := Frame_End + Major_Frame;
          end if;

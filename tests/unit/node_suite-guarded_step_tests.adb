@@ -27,6 +27,7 @@ package body Guarded_Step_Tests is
    --  The tests, in order.
    procedure Whole_Steps;
    procedure Times_Taken;
+   procedure Long_Times;
    procedure Times_Written;
    procedure Exceptions;
    procedure Pauses;
@@ -211,7 +212,7 @@ package body Guarded_Step_Tests is
          Be_Busy;
          Step (Busy, False, 0, Call);
          Most := Partitions.Measurements.Measure
-           (To_Duration (Clock - Tick) * 10_000_000);
+           (To_Duration (Clock - Tick) * 1.0E7);
          Expect_Number ("failures", Failures, 0);
          Expect
            ("cost is no less", Costs (Busy).Summed_Up.Minimum >= 30_000, True);
@@ -340,6 +341,36 @@ package body Guarded_Step_Tests is
          True);
    end Broken_Starts;
 
+   --  A Duration has room for 9,223 s of microseconds.
+   procedure Long_Times is
+      use type Host.Microseconds;
+
+      Rest : constant := 250;
+   begin
+      for Hours in 0 .. 1_000 loop
+         declare
+            Span  : constant Time_Span :=
+              Seconds (3_600 * Hours) + Microseconds (Rest);
+            Whole : constant Host.Microseconds :=
+              Host.Microseconds (Hours) * 3_600 * 1_000_000 + Rest;
+         begin
+            Expect
+              (Hours'Image & " h in microseconds",
+               Partitions.Clocks.In_Microseconds (Span) = Whole, True);
+            Expect
+              (Hours'Image & " h in tenths of them",
+               Partitions.Clocks.Tenths_Of_Microseconds (Span)
+                 = 10 * Partitions.Measurements.Measure (Whole), True);
+            Expect
+              (Hours'Image & " h in seconds",
+               Host.In_Seconds (Whole) = To_Duration (Span), True);
+         end;
+      end loop;
+      Expect
+        ("none before its beginning",
+         Partitions.Clocks.Tenths_Of_Microseconds (-Seconds (1)) = 0, True);
+   end Long_Times;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -348,6 +379,8 @@ package body Guarded_Step_Tests is
       Add
         (Suite, "RTP-1 a step's times are those that it took",
          Times_Taken'Access);
+      Add
+        (Suite, "RTP-1 times of weeks have room", Long_Times'Access);
       Add
         (Suite, "RTP-2 a summary's times are in microseconds",
          Times_Written'Access);
