@@ -40,7 +40,7 @@ package body Partitions.Output_Files is
    Stuck : array (Place) of Boolean := (others => False);
 
    --  Rows that found no room.
-   Left_Out : URVOS.Count := 0;
+   Left_Out : array (Growing) of URVOS.Count := (others => 0);
 
    --  Names of the requested outputs.
    Asked : Choices;
@@ -129,11 +129,15 @@ package body Partitions.Output_Files is
          Buffers (Place_Of (Which)).Put (Text, Is_Taken);
       end if;
       if not Is_Taken then
-         Left_Out := URVOS.Incremented (Left_Out);
+         Left_Out (Which) := URVOS.Incremented (Left_Out (Which));
       end if;
    end Put_Row;
 
-   function Rows_Left_Out return URVOS.Count is (Left_Out);
+   function Has_Room (Which : Growing) return Boolean is
+     (Buffers (Place_Of (Which)).Waiting <= Capacity - Block_Length);
+
+   function Rows_Left_Out (Which : Growing) return URVOS.Count is
+     (Left_Out (Which));
 
    procedure Write_Rows (Which : Growing := Record_Option) is
    begin
@@ -201,7 +205,7 @@ package body Partitions.Output_Files is
 
    function Any_Lost return Boolean is
      (Host.Text_Output.Any_Lost
-      or else Rows_Left_Out > 0
+      or else (for some Each of Left_Out => Each > 0)
       or else (for some Each of Stuck => Each));
 
 end Partitions.Output_Files;

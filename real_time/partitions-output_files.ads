@@ -25,13 +25,16 @@ package Partitions.Output_Files is
      with Pre => Is_Open (Which);
 
    --  The outputs that grow by rows.
-   subtype Growing is Kept range Record_Option .. Recording_Option;
+   subtype Growing is Output_Option range Record_Option .. Recording_Option;
 
    --  Puts a row and the end of its line. A row without room, or without a
    --  file, is counted and left out.
    procedure Put_Row (Text : String; Which : Growing := Record_Option)
      with Pre => Is_Open (Which);
-   function Rows_Left_Out return URVOS.Count;
+   function Rows_Left_Out (Which : Growing) return URVOS.Count;
+
+   --  There is room for many rows.
+   function Has_Room (Which : Growing) return Boolean;
 
    --  Writes the rows so far to the file, those of a recording to its disk
    --  (FTI-11).

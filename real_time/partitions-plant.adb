@@ -7,12 +7,14 @@ with Ada.Strings.Unbounded;        use Ada.Strings.Unbounded;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 with GNAT.OS_Lib;                  use GNAT.OS_Lib;
 with Interfaces.C;                 use Interfaces.C;
+with System;
 
 with Host.Plant_Program;
 with MCS;
 with Partitions.Clocks;
 with Partitions.Occurrences;
 with Partitions.Reports;       use Partitions.Reports;
+with Partitions.Signal_Masks;
 with Partitions.System_Calls;  use Partitions.System_Calls;
 with URVOS;                    use URVOS;
 
@@ -230,10 +232,28 @@ package body Partitions.Plant is
       end if;
       Line := Made (1);
       Theirs := Duplicate (Made (2));
+
+      --  It inherits the blocked signals, too: Ctrl-C is for this program.
+      Signal_Masks.Block;
       Host.Plant_Program.Spawn (Natural (Theirs), Process);
+      Signal_Masks.Let_End;
       Closed := int'Min (Close (Theirs), Close (Made (2)));
       pragma Unreferenced (Closed);
    end Spawn;
+
+   --  Python and JSBSim may have to be read from the disk (SIM-9).
+   First_Answer_In : constant System_Calls.Time_Span :=
+     (Seconds => 60, Nanoseconds => 0);
+
+   --  False when no answer begins in that time.
+   function Begins_To_Answer return Boolean;
+
+   function Begins_To_Answer return Boolean is
+      Requests : Poll_Requests := (1 => (Line, Input_Ready, 0));
+   begin
+      return Poll
+        (Requests'Address, 1, First_Answer_In, System.Null_Address) > 0;
+   end Begins_To_Answer;
 
    procedure Start (Schedule : Schedule_Name) is
       Answer  : Unbounded_String;
@@ -247,6 +267,11 @@ package body Partitions.Plant is
       Send
         (Introduction (Shown_After (Schedule), Schedule => Schedule),
          Is_Good);
+      if Is_Good and then not Begins_To_Answer then
+         Stop;
+         Host.Plant_Program.Refuse_Flight
+           ("JSBSim's process has not answered for 60 s");
+      end if;
       if Is_Good then
          Receive_Line (Answer, Is_Good);
       end if;

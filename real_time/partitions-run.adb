@@ -28,6 +28,7 @@ with Partitions.Permission;
 with Partitions.Reports;
 with Partitions.Round_Trips;
 with Partitions.Rows;       use Partitions.Rows;
+with Partitions.Signal_Masks;
 with Telemetry.Boards;
 with URV.Errors;
 with URV.Handshakes;
@@ -131,7 +132,7 @@ procedure Partitions.Run is
 
    --  Puts the new rows of the flight recorder (FTI-11). They are written each
    --  quarter of a second, so that with the disk's time a power cut costs less
-   --  than a second of them.
+   --  than a second of them. A slow file's rows stay aboard until it has room.
    procedure Take_Recording;
 
    procedure Print_Summary;
@@ -195,8 +196,8 @@ procedure Partitions.Run is
    Reported_Peer    : Peer_State := Never_Heard;
    Reported_Refused : URVOS.Count := 0;
    Refused_Frame    : Number := 0;
-   Reported_Missing : URVOS.Count := 0;
-   Missing_Frame    : Number := 0;
+   Reported_Missing : array (Growing) of URVOS.Count := (others => 0);
+   Missing_Frame    : array (Growing) of Number := (others => 0);
    Fault_Reported   : Boolean := False;
    Reported_Pauses  : URVOS.Count := 0;
    Reported_Starts  :
@@ -261,19 +262,23 @@ procedure Partitions.Run is
    end Report_Starts;
 
    procedure Report_Left_Out is
-      Missing : constant URVOS.Count := Rows_Left_Out;
+      Missing : URVOS.Count;
    begin
-      if Missing > Reported_Missing
-        and then not Is_Lost (Record_Option)
-        and then (Reported_Missing = 0
-                  or else Frames >= Missing_Frame + Refusals_Every)
-      then
-         Note
-           ("--record: " & Number_Of (Missing, "row") & " left out by "
-            & Seconds (Frames) & " s: the file is too slow");
-         Reported_Missing := Missing;
-         Missing_Frame := Frames;
-      end if;
+      for Output in Growing loop
+         Missing := Rows_Left_Out (Output);
+         if Missing > Reported_Missing (Output)
+           and then not Is_Lost (Output)
+           and then (Reported_Missing (Output) = 0
+                     or else Frames >= Missing_Frame (Output) + Refusals_Every)
+         then
+            Note
+              (Name (Output) & ": " & Number_Of (Missing, "row")
+               & " left out by " & Seconds (Frames)
+               & " s: the file is too slow");
+            Reported_Missing (Output) := Missing;
+            Missing_Frame (Output) := Frames;
+         end if;
+      end loop;
    end Report_Left_Out;
 
    procedure Report_Fault is
@@ -361,7 +366,7 @@ procedure Partitions.Run is
 
    procedure Take_Recording is
    begin
-      if Is_Open (Recording_Option) then
+      if Is_Open (Recording_Option) and then Has_Room (Recording_Option) then
          Clear (Page);
          Surroundings.Put_Recording (Page);
          Put_Row (Text (Page), Recording_Option);
@@ -465,7 +470,8 @@ procedure Partitions.Run is
         (Result, To, "characters_not_sent", Number (Links.Not_Sent));
       Reports.Put_Field
         (Result, To, "rows_left_out",
-         Number (Queue.Left_Out) + Number (Rows_Left_Out));
+         Number (Queue.Left_Out) + Number (Rows_Left_Out (Record_Option))
+         + Number (Rows_Left_Out (Recording_Option)));
       for Output in Kept loop
          if Output_Files.Is_Lost (Output) then
             Reports.Add_Name (Lost, Name (Output));
@@ -591,9 +597,11 @@ begin
       Host.Key_Files.Load (Keys, Value (Chosen, Key_Option));
       Seal_Link (Keys);
    end if;
+   Signal_Masks.Let_End;
    Surroundings.Prepare (Chosen);
    Links.Open (Value (Chosen, Link_Option));
    Output_Files.Open (Chosen);
+   Signal_Masks.Block;
    Attach_Memory (Page);
    if Is_Open (Record_Option) then
       Put

@@ -14,4 +14,9 @@ package Partitions.Signal_Masks is
 
    function Ours return Signal_Set;
 
+   --  Until the partition listens, SIGINT and SIGTERM end the program while
+   --  the environment task lets them: it may wait for a file or a process.
+   procedure Let_End;
+   procedure Block;
+
 end Partitions.Signal_Masks;

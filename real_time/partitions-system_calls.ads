@@ -231,7 +231,8 @@ package Partitions.System_Calls is
    procedure Add (To : in out Signal_Set; Signal : int)
    with Import, Convention => C, External_Name => "sigaddset";
 
-   To_Block : constant := 0;
+   To_Block   : constant := 0;
+   To_Unblock : constant := 1;
 
    function Set_Mask
      (How : int; To : Signal_Set; Former : System.Address) return int

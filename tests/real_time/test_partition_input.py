@@ -314,3 +314,31 @@ def test_saf8_a_stranger_does_not_disturb_the_ground(start):
     # The aircraft's own may be bad on a machine that sends its characters late.
     need(words[:-1] in shown
          and gsc.summary["link"]["downlink_bad"] < aircraft.answered, gsc)
+
+
+def reads_in(program, seconds):
+    """The reads that it makes meanwhile, of any file."""
+    def made():
+        text = open(f"/proc/{program.pid}/io", encoding="ascii").read()
+        return int(text.partition("syscr:")[2].split()[0])
+
+    before = made()
+    time.sleep(seconds)
+    return made() - before
+
+
+def test_rtp1_a_serial_line_without_another_end_takes_no_processor(start):
+    """The operating system reports its end together with input and errors."""
+    file, device = os.openpty()
+    tty.setraw(file)
+    run = start("gsc", f"serial:{os.ttyname(device)}", quiet=False)
+    assert "listening" in run.say_line()
+    os.close(device)
+    silent = reads_in(run.program, 1)
+    os.close(file)
+    time.sleep(0.5)
+    # The station itself reads nothing: these are the board's.
+    assert reads_in(run.program, 1) <= 3 * silent + 5_000
+    run.send(signal.SIGTERM)
+    run.program.communicate(timeout=TIME_LIMIT_S)
+    assert run.program.returncode == 3

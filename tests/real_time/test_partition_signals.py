@@ -2,13 +2,15 @@
 """RTP-2: a partition ends and restarts on a signal.
 """
 
+import os
 import signal
+import subprocess
 import time
 
 import pytest
 
 from conftest import (
-    COMMANDS, FRAME_US, SENSORS, SERVOS, TIME_LIMIT_S, different_rows,
+    COMMANDS, FRAME_US, PROGRAMS, SENSORS, SERVOS, TIME_LIMIT_S, different_rows,
     flies_again, free_ports, in_turn, need, script, udp,
 )
 from peer import AircraftPeer, GroundPeer
@@ -186,3 +188,34 @@ def test_krn6_the_ground_restarts_and_flies_on(start_both, write, processors):
     need(restart["count"] == 3, gsc)
     late = rows[int((restart["last_ms"] - 250) / 120) + 3]
     need(late in mcs.words("mcs.uplink", COMMANDS), mcs, gsc)
+
+
+@pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("waits_for", ["output", "plant"])
+def test_rtp2_a_signal_ends_a_start_that_waits(tmp_path, which, waits_for):
+    """It waits for a reader of its output, or for JSBSim's process."""
+    own, other = free_ports(2)
+    command = [PROGRAMS["mcs"], "--link", udp(own, other)]
+    surroundings = dict(os.environ)
+    if waits_for == "output":
+        os.mkfifo(tmp_path / "pipe")
+        command += ["--record", tmp_path / "pipe"]
+    else:
+        python = tmp_path / "python"
+        python.write_text(
+            f"#!/bin/sh\ntouch {tmp_path}/begun\nexec cat <&$2\n")
+        python.chmod(0o755)
+        command += ["--plant", "jsbsim"]
+        surroundings["URV_PYTHON"] = str(python)
+    with subprocess.Popen(command, env=surroundings,
+                          stderr=subprocess.PIPE) as program:
+        waits = {"output": "wait_for_partner", "plant": "poll"}[waits_for]
+        kernel = f"/proc/{program.pid}/wchan"
+        deadline = time.monotonic() + TIME_LIMIT_S
+        while (waits_for == "plant" and not (tmp_path / "begun").exists()
+               or waits not in open(kernel, encoding="ascii").read()):
+            assert program.poll() is None
+            assert time.monotonic() < deadline
+            time.sleep(0.01)
+        program.send_signal(which)
+        assert program.wait(TIME_LIMIT_S) == -which
