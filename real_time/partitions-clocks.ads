@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  The partition's time: since the machine was started, and since the node was
---  switched on, for weeks (RTP-1); and whether the node has stopped for a while
---  (SAF-4).
+--  switched on, for weeks (RTP-1); and whether the node has stopped for a
+--  while (SAF-4).
 
 with Ada.Real_Time; use Ada.Real_Time;
 
