@@ -24,7 +24,7 @@ help:
 	@echo "  make test       run every test"
 	@echo "  make prove      prove src and proofs, renew the proof record"
 	@echo "  make trace      requirements with their links, in trace/"
-	@echo "  make clean      remove the built files"
+	@echo "  make clean      remove the built files and all results, flight/ too"
 	@echo "  make -C evidence  list the measurements"
 
 fly:
