@@ -1,5 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Ada.Characters.Latin_1;
 with Ada.Real_Time;                use Ada.Real_Time;
 with Ada.Synchronous_Task_Control; use Ada.Synchronous_Task_Control;
 
@@ -129,7 +130,11 @@ package body Partitions.Output_Files is
          Buffers (Place_Of (Which)).Put (Text, Is_Taken);
       end if;
       if not Is_Taken then
-         Left_Out (Which) := URVOS.Incremented (Left_Out (Which));
+         for Each of Text loop
+            if Each = Ada.Characters.Latin_1.LF then
+               Left_Out (Which) := URVOS.Incremented (Left_Out (Which));
+            end if;
+         end loop;
       end if;
    end Put_Row;
 

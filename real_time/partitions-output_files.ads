@@ -27,8 +27,8 @@ package Partitions.Output_Files is
    --  The outputs that grow by rows.
    subtype Growing is Output_Option range Record_Option .. Recording_Option;
 
-   --  Puts a row and the end of its line. A row without room, or without a
-   --  file, is counted and left out.
+   --  Puts rows, each with the end of its line. Rows without room, or without
+   --  a file, are counted and left out.
    procedure Put_Row (Text : String; Which : Growing := Record_Option)
      with Pre => Is_Open (Which);
    function Rows_Left_Out (Which : Growing) return URVOS.Count;

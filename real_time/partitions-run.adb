@@ -135,6 +135,9 @@ procedure Partitions.Run is
    --  than a second of them. A slow file's rows stay aboard until it has room.
    procedure Take_Recording;
 
+   --  Puts the rows that are still aboard.
+   procedure Finish_Recording;
+
    procedure Print_Summary;
 
    procedure Print_Usage is
@@ -372,6 +375,17 @@ procedure Partitions.Run is
          Put_Row (Text (Page), Recording_Option);
       end if;
    end Take_Recording;
+
+   procedure Finish_Recording is
+   begin
+      while Is_Open (Recording_Option) loop
+         Clear (Page);
+         Surroundings.Put_Recording (Page);
+         exit when Text (Page) = "";
+         Put_Row (Text (Page), Recording_Option);
+      end loop;
+      Report_Left_Out;
+   end Finish_Recording;
 
    procedure Take_Rows (Last_Frame : Number) is
       Item  : Row;
@@ -627,6 +641,7 @@ begin
      (Chosen.Processors, Chosen.Schedule, Chosen.Line_Delay);
    Take_Rows
      (Last_Frame => Number (Whole_Frames (Chosen.Length) / Major_Frame));
+   Finish_Recording;
 
    Write_Counts (Is_Over => True);
    Finish (Summary_Option);

@@ -6,6 +6,7 @@ import fcntl
 import json
 import os
 import resource
+import select
 import signal
 import subprocess
 import time
@@ -157,3 +158,24 @@ def test_rtp10_a_terminal_that_takes_nothing_holds_up_nobody(node, tmp_path):
     assert summary_in(tmp_path)["frames"] == 75
     rows = (tmp_path / "record").read_text("utf-8").splitlines()
     assert int(rows[-1].partition(",")[0]) >= 74
+
+
+def test_fti11_a_slow_recording_gets_its_rows_later(tmp_path):
+    """Nobody reads it until its buffer of 1 MB is full; the recorder aboard
+    still has the rows."""
+    path, reader = full_pipe(tmp_path)
+    os.set_blocking(reader, True)
+    program = started("mcs", tmp_path, 78, "--recording", path)
+    time.sleep(76)
+    text = b""
+    while program.poll() is None or select.select([reader], [], [], 0)[0]:
+        if select.select([reader], [], [], 0.1)[0]:
+            text += os.read(reader, 65_536)
+    os.close(reader)
+    rows = text.decode("ascii").replace("x", "").splitlines()[1:]
+    numbers = [int(row[:8], 16) for row in rows]
+    assert numbers == list(range(len(numbers)))
+    summary = summary_in(tmp_path)
+    assert summary["rows_left_out"] == 0
+    # The first frames have no rows yet.
+    assert len(numbers) >= summary["frames"] - 5

@@ -129,7 +129,8 @@ def _middle(slopes, kernel, columns, many):
                 # Sum over k of kernel(k) table(i + k).
                 whole = signal.fftconvolve(
                     table[other], kernel[one, other, ::-1, None], axes=0)
-                middle[numpy.ix_(own, own)] += table[one].T @ whole[longest:longest + length]
+                middle[numpy.ix_(own, own)] += (
+                    table[one].T @ whole[longest:longest + length])
     return (middle + middle.T) / 2.0
 
 
