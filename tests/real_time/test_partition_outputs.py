@@ -165,8 +165,8 @@ def test_fti11_a_slow_recording_gets_its_rows_later(tmp_path):
     still has the rows."""
     path, reader = full_pipe(tmp_path)
     os.set_blocking(reader, True)
-    program = started("mcs", tmp_path, 78, "--recording", path)
-    time.sleep(76)
+    program = started("mcs", tmp_path, 92, "--recording", path)
+    time.sleep(88)
     text = b""
     while program.poll() is None or select.select([reader], [], [], 0)[0]:
         if select.select([reader], [], [], 0.1)[0]:
@@ -177,5 +177,5 @@ def test_fti11_a_slow_recording_gets_its_rows_later(tmp_path):
     assert numbers == list(range(len(numbers)))
     summary = summary_in(tmp_path)
     assert summary["rows_left_out"] == 0
-    # The first frames have no rows yet.
-    assert len(numbers) >= summary["frames"] - 5
+    # More than the buffer has room for.
+    assert len(numbers) > 4_000
