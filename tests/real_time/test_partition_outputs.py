@@ -160,7 +160,7 @@ def test_rtp10_a_terminal_that_takes_nothing_holds_up_nobody(node, tmp_path):
     assert int(rows[-1].partition(",")[0]) >= 74
 
 
-def test_fti11_a_slow_recording_gets_its_rows_later(tmp_path):
+def test_rtp10_a_slow_recording_gets_its_rows_later(tmp_path):
     """Nobody reads it until its buffer of 1 MB is full; the recorder aboard
     still has the rows."""
     path, reader = full_pipe(tmp_path)
