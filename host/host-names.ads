@@ -30,7 +30,7 @@ package Host.Names is
          when Switch_2 => "attitude hold",
          when Switch_3 => "altitude and airspeed",
          when Switch_4 => "wings level",
-         when Switch_5 => "discrete 5",
+         when Switch_5 => "test card",
          when Switch_6 => "discrete 6",
          when Switch_7 => "laws disconnect",
          when Switch_8 => "half flaps");
@@ -39,8 +39,8 @@ package Host.Names is
    --  "laws", "flaps" or none.
    function Works (Switch : Switch_Item) return String is
      (case Switch is
-         when Switch_1 .. Switch_4 | Switch_7 => "laws",
-         when Switch_5 | Switch_6             => "",
+         when Switch_1 .. Switch_5 | Switch_7 => "laws",
+         when Switch_6                        => "",
          when Switch_8                        => "flaps");
 
    --  The modes of the control laws and the link, for people (EXT-3, EXT-5).

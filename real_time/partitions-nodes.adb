@@ -92,7 +92,7 @@ package body Partitions.Nodes is
      new Guards.Start (Uninterrupted_Start, Request_Start);
 
    package Guarded is new URVOS.Node_Software
-     (Software.Tasks, Step, Begin_Start, Software.Tell_Time,
+     (Software.Tasks, Step, Begin_Start, Software.Set_Time,
       Software.Report_Overrun, Software.Look_At_Frame);
 
    package Node is new URVOS.Real_Time_Nodes (Guarded, Observe_Tick);

@@ -112,10 +112,10 @@ package body Thermostat with SPARK_Mode is
       Passed := True;
    end Begin_Again;
 
-   procedure Tell_Time (Now : Clock_Tick) is
+   procedure Set_Time (Now : Clock_Tick) is
    begin
       Log.Set_Time (Now);
-   end Tell_Time;
+   end Set_Time;
 
    procedure Report_Overrun (Who : Task_Id) is
    begin

@@ -77,10 +77,10 @@ package Thermostat with SPARK_Mode is
       Call      : out Kernel_Call);
    procedure Begin_Again
      (Condition : Start_Condition; Now : Clock_Tick; Passed : out Boolean);
-   procedure Tell_Time (Now : Clock_Tick);
+   procedure Set_Time (Now : Clock_Tick);
    procedure Report_Overrun (Who : Task_Id);
 
    package Software is new URVOS.Node_Software
-     (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun);
+     (Tasks, Run_Step, Begin_Again, Set_Time, Report_Overrun);
 
 end Thermostat;

@@ -75,10 +75,10 @@ package body GSC with SPARK_Mode is
       Recorder_Blocks.Restart;
    end Restart_Variables;
 
-   procedure Tell_Time (Now : Clock_Tick) is
+   procedure Set_Time (Now : Clock_Tick) is
    begin
       Errors.Set_Time (Now);
-   end Tell_Time;
+   end Set_Time;
 
    procedure Report_Overrun (Id : Task_Id) is
    begin

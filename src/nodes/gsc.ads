@@ -168,21 +168,21 @@ package GSC with SPARK_Mode is
    procedure Restart_Variables;
 
    --  The ground reads CORE's status directly (TST-4).
-   procedure Say_Refused is null;
+   procedure Report_Refused_Start is null;
 
    package Starts is new URV.Start_Routines
      (Memories, CORE_Memory, Telemetry_Board, Sealing, Errors,
-      Reset_Variables, Restart_Variables, Say_Refused);
+      Reset_Variables, Restart_Variables, Report_Refused_Start);
 
    --  For the kernel: sets the time of reports, and reports an overrun.
 
-   procedure Tell_Time (Now : Clock_Tick)
+   procedure Set_Time (Now : Clock_Tick)
    with Inline, Global => (In_Out => Errors);
 
    procedure Report_Overrun (Id : Task_Id)
    with Global => (In_Out => Errors);
 
    package Software is new URVOS.Node_Software
-     (Tasks, Run_Step, Starts.Begin_Again, Tell_Time, Report_Overrun);
+     (Tasks, Run_Step, Starts.Begin_Again, Set_Time, Report_Overrun);
 
 end GSC;

@@ -138,7 +138,7 @@ package body MCS with SPARK_Mode is
       Card_Shown.Write (URV.Card_Status.Card_Word (Kept.Cards.Run));
    end Restart_Variables;
 
-   procedure Say_Refused is
+   procedure Report_Refused_Start is
       Data      : Block_Data;
       Overwrote : Boolean;
    begin
@@ -150,12 +150,12 @@ package body MCS with SPARK_Mode is
       if Overwrote then
          Errors.Report (TELOUT_Overwrote_Block, 0);
       end if;
-   end Say_Refused;
+   end Report_Refused_Start;
 
-   procedure Tell_Time (Now : Clock_Tick) is
+   procedure Set_Time (Now : Clock_Tick) is
    begin
       Errors.Set_Time (Now);
-   end Tell_Time;
+   end Set_Time;
 
    procedure Report_Overrun (Id : Task_Id) is
    begin

@@ -232,11 +232,11 @@ package MCS with SPARK_Mode is
 
    --  One last downlink reports to the ground that the node stays silent
    --  (TST-4).
-   procedure Say_Refused;
+   procedure Report_Refused_Start;
 
    package Starts is new URV.Start_Routines
      (Memories, CORE_Memory, Telemetry_Board, Sealing, Errors,
-      Reset_Variables, Restart_Variables, Say_Refused);
+      Reset_Variables, Restart_Variables, Report_Refused_Start);
 
    --  For the clock. Ticks is the number of ticks since the last call, at most
    --  one. Request is the length requested for the present frame (FRM-6).
@@ -246,14 +246,14 @@ package MCS with SPARK_Mode is
 
    --  For the kernel: sets the time of reports, and reports an overrun.
 
-   procedure Tell_Time (Now : Clock_Tick)
+   procedure Set_Time (Now : Clock_Tick)
    with Inline, Global => (In_Out => Errors);
 
    procedure Report_Overrun (Id : Task_Id)
    with Global => (In_Out => Errors);
 
    package Software is new URVOS.Node_Software
-     (Tasks, Run_Step, Starts.Begin_Again, Tell_Time, Report_Overrun,
+     (Tasks, Run_Step, Starts.Begin_Again, Set_Time, Report_Overrun,
       Look_At_Frame);
 
 end MCS;

@@ -57,7 +57,7 @@ package body URV.Start_Routines with SPARK_Mode is
    procedure Refuse is
    begin
       Telemetry_Board.Clear_Transmit_Half;
-      Say_Refused;
+      Report_Refused_Start;
    end Refuse;
 
    package Phases is new URVOS.Start_Phases

@@ -32,7 +32,7 @@ generic
 
    --  Called after a failed self-test. The node then stays silent except for
    --  this report.
-   with procedure Say_Refused;
+   with procedure Report_Refused_Start;
 package URV.Start_Routines with SPARK_Mode is
 
    --  Phases 1 and 2: the self-test, and the controller's routine for the

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  AD task: sends on the scan of the last frame and begins the next (report,
---  4.1, table 1; AD-1). Released at minor frame 0.
+--  4.1, table 1; AD-1). Released at minor frame 0 of the report's schedule.
 --
 --  Consumes ADINT_variable, produces AD_variable. A frame without a scan
 --  passes on the last words, with the error word set.

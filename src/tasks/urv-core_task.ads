@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  CORE task: keeps the node's CORE memory up to date (report, 4.3, table
---  3; COR-1). Released at minor frame 4.
+--  CORE task: keeps the node's CORE memory up to date (report, 4.3, table 3;
+--  COR-1). Released at minor frame 4 of the report's schedule.
 --
 --  Consumes uplink_variable and downlink_variable, produces the CORE uplink
 --  and downlink areas, the latter with the downlink's frame (FTI-12). It

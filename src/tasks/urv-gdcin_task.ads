@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  GDCIN task: gives the aircraft's messages to CORE (report, 5.5, table 9;
---  GDI-1, D-11, D-14). Released at minor frame 1.
+--  GDI-1, D-11, D-14). Released at minor frame 1 of the report's schedule.
 --
 --  Consumes TELIN_variable, produces downlink_variable, with the frame that
 --  the message's spare bits carry (FTI-12). The fragment of the

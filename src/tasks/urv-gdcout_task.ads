@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  GDCOUT task: gives the sticks to CORE and to the aircraft (report, 5.6,
---  table 10; GDO-1, D-3, D-14). Released at minor frame 1.
+--  table 10; GDO-1, D-3, D-14). Released at minor frame 1 of the report's
+--  schedule.
 --
 --  Consumes AD_variable, produces uplink_variable and TELOUT_variable. A frame
 --  without a new image passes on the last data, marked as old. The node's own

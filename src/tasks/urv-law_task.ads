@@ -1,8 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  LAW task: the control laws, between MDCIN and PWM (EXT-3, EXT-5; the report
---  leaves them for later versions). Released at minor frame 1, after the tasks
---  that produce its inputs.
+--  leaves them for later versions). Released at minor frame 1 of the report's
+--  schedule, after the tasks that produce its inputs.
 --
 --  Consumes commands_variable and sensors_variable, produces PWM_variable.
 --  With the laws off it passes the commands on unchanged. It reports changes

@@ -2,7 +2,7 @@
 
 --  LOG task: keeps the error log complete and its sums in CORE memory (EXT-1;
 --  the report names the task in 4.3.3 and leaves it for later). Released at
---  minor frame 5, after all tasks that report.
+--  minor frame 5 of the report's schedule, after all tasks that report.
 --
 --  All other units report to the log directly. The telemetry board cannot:
 --  this task reads its statistics and logs any increase in the same frame. It

@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  MDCIN task: gives the ground's messages to CORE and the laws (report, 4.6,
---  table 6; MDI-1, D-11, D-14). Released at minor frame 1.
+--  table 6; MDI-1, D-11, D-14). Released at minor frame 1 of the report's
+--  schedule.
 --
 --  Consumes TELIN_variable, produces uplink_variable and commands_variable. A
 --  frame without a new message passes on the last one, marked as old.

@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  MDCOUT task: gives the sensors to CORE, to the laws and to the ground
---  (report, 4.7, table 7; MDO-1, D-1, D-14). Released at minor frame 1.
+--  (report, 4.7, table 7; MDO-1, D-1, D-14). Released at minor frame 1 of the
+--  report's schedule.
 --
 --  Consumes AD_variable, produces downlink_variable, sensors_variable and
 --  TELOUT_variable. A frame without a new image passes on the last data,

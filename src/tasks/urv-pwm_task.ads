@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  PWM task: writes the pilot's commands to the servos (report, 4.8, table 8;
---  PWM-1). Released at minor frame 2.
+--  PWM-1). Released at minor frame 2 of the report's schedule.
 --
 --  Consumes PWM_variable, produces the data area of the PWM board. Without new
 --  commands, or with commands marked as old, it leaves the board's words

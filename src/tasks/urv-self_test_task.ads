@@ -1,7 +1,8 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  Self-test task: checks the program memory in flight (report, 2.4; TST-3,
---  TST-4). Released at minor frame 6, with the lowest priority.
+--  TST-4). Released at minor frame 6 of the report's schedule, with the lowest
+--  priority.
 --
 --  Consumes Longs_Per_Frame longs of the program memory in each major frame,
 --  and produces the result of each pass in CORE's status. A difference sets

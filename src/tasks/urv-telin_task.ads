@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  TELIN task: takes blocks from the telemetry board (report, 4.4, table 4;
---  TIN-1, D-14). Released at minor frame 0.
+--  TIN-1, D-14). Released at minor frame 0 of the report's schedule.
 --
 --  Consumes the board's receive buffers, produces TELIN_variable. A frame
 --  without a new message passes on the last one, marked as old (SAF-5). After

@@ -1,7 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
 --  TELOUT task: gives the telemetry board a block to transmit (report, 4.5,
---  table 5; TOU-1). Released at minor frame 2.
+--  table 5; TOU-1). Released at minor frame 2 of the report's schedule.
 --
 --  Consumes TELOUT_variable, produces the board's transmit buffers. If no
 --  buffer is free, the newest data overwrites older data. Without a new

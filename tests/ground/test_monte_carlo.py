@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -402,7 +403,10 @@ def wait_for_flights(folder):
     ends = time.monotonic() + TIME_LIMIT_S
     while len(seen) < 5:
         assert time.monotonic() < ends, "the worker flew nothing"
-        seen |= {path.name for path in folder.rglob("cargo-*/tmp*")}
+        # A worker removes folders meanwhile; rglob would fail.
+        seen |= {name for parent, names, _ in os.walk(folder)
+                 if Path(parent).name.startswith("cargo-")
+                 for name in names if name.startswith("tmp")}
         time.sleep(0.01)
 
 

@@ -78,7 +78,7 @@ def test_gnd11_labels_are_for_people():
 # Switches
 
 USES = ["rate damping", "attitude hold", "altitude and airspeed",
-        "wings level", "discrete 5", "discrete 6", "laws disconnect",
+        "wings level", "test card", "discrete 6", "laws disconnect",
         "half flaps"]
 
 
@@ -87,7 +87,7 @@ def test_gnd50_each_switch_has_the_name_of_what_it_does():
     assert [item.name for item in items.SWITCHES] == [
         f"switch{number}" for number in range(1, 9)]
     assert {item.use for item in items.SWITCHES if item.works == "laws"} == {
-        *USES[:4], USES[6]}
+        *USES[:5], USES[6]}
     assert not any(item.use for item in items.ITEMS
                    if not item.name.startswith("switch"))
 
@@ -96,14 +96,14 @@ def test_gnd50_the_modes_of_the_laws_page_are_named_so():
     page = (ROOT / "docs" / "control-laws.md").read_text("utf-8")
     named = re.findall(r"^\| ([1-8]) \| ([^|]+) \|", page.partition(
         "## Modes")[2].partition("## ")[0], re.M)
-    assert [number for number, _ in named] == list("123478")
+    assert [number for number, _ in named] == list("1234578")
     for number, name in named:
         assert name == USES[int(number) - 1]
 
 
 def test_gnd50_one_place_has_the_names():
     """Nobody repeats what the dictionary says."""
-    own = ("rate damping", "discrete 5", "laws disconnect")
+    own = ("rate damping", "discrete 6", "laws disconnect")
     for file in sorted((ROOT / "ground" / "urv").rglob("*")):
         if file.suffix in (".py", ".js", ".html"):
             text = file.read_text("utf-8")

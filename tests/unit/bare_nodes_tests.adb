@@ -61,7 +61,7 @@ package body Bare_Nodes_Tests is
       Now       : Clock_Tick;
       Passed    : out Boolean);
 
-   procedure Tell_Time (Now : Clock_Tick);
+   procedure Set_Time (Now : Clock_Tick);
 
    procedure Report_Overrun (Who : Task_Id);
 
@@ -69,7 +69,7 @@ package body Bare_Nodes_Tests is
      (Ticks : Tick_Count; Request : in out Frame_Request);
 
    package Software is new URVOS.Node_Software
-     (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun, Look_At_Frame);
+     (Tasks, Run_Step, Begin_Again, Set_Time, Report_Overrun, Look_At_Frame);
 
    package Node is new URVOS.Bare_Nodes (Software);
 
@@ -123,10 +123,10 @@ package body Bare_Nodes_Tests is
       Passed := Test_Passes;
    end Begin_Again;
 
-   procedure Tell_Time (Now : Clock_Tick) is
+   procedure Set_Time (Now : Clock_Tick) is
    begin
       Time_Told := Now;
-   end Tell_Time;
+   end Set_Time;
 
    procedure Report_Overrun (Who : Task_Id) is
       pragma Unreferenced (Who);

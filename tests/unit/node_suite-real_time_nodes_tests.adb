@@ -110,7 +110,7 @@ package body Real_Time_Nodes_Tests is
       Now       : Clock_Tick;
       Passed    : out Boolean);
 
-   procedure Tell_Time (Now : Clock_Tick);
+   procedure Set_Time (Now : Clock_Tick);
 
    procedure Report_Overrun (Unused_Who : URVOS.Task_Trees.Task_Id);
 
@@ -293,11 +293,11 @@ package body Real_Time_Nodes_Tests is
       Witness.End_Start;
    end Begin_Again;
 
-   procedure Tell_Time (Now : Clock_Tick) is
+   procedure Set_Time (Now : Clock_Tick) is
       pragma Unreferenced (Now);
    begin
       Witness.Meet (Current_Task);
-   end Tell_Time;
+   end Set_Time;
 
    procedure Report_Overrun (Unused_Who : URVOS.Task_Trees.Task_Id) is
    begin
@@ -344,7 +344,7 @@ package body Real_Time_Nodes_Tests is
    procedure With_Node (Processors : Processor_Number) is
 
       package Software is new URVOS.Node_Software
-        (Tasks, Run_Step, Begin_Again, Tell_Time, Report_Overrun);
+        (Tasks, Run_Step, Begin_Again, Set_Time, Report_Overrun);
 
       package This_Node is
         new URVOS.Real_Time_Nodes (Software, Observe_Tick);

@@ -128,7 +128,7 @@ is
       for Each in 1 .. Number loop
          Advance_Clock;
       end loop;
-      Software.Tell_Time (Clock.Now);
+      Software.Set_Time (Clock.Now);
    end Follow_Clock;
 
    procedure Read_Clock

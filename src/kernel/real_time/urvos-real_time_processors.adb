@@ -59,7 +59,7 @@ is
          end if;
          Software.Look_At_Frame ((if Self = Master then 1 else 0), Request);
          This_Node.Follow (Present, Request, Now, Next_Tick);
-         Software.Tell_Time (Now);
+         Software.Set_Time (Now);
       end if;
    end Follow_Clock;
 
@@ -126,7 +126,7 @@ is
       Suspend_Until_True (Switch);
       Next_Tick := This_Node.Switched_On_At;
       Next_Tick := Next_Tick + Tick_Time;
-      Software.Tell_Time (Now);
+      Software.Set_Time (Now);
       loop
          Begun_At := Now;
          Follow_Orders (Next_Order);

@@ -34,7 +34,7 @@ generic
       Passed    : out Boolean);
 
    --  Takes the present time, which stamps later reports.
-   with procedure Tell_Time (Now : Clock_Tick);
+   with procedure Set_Time (Now : Clock_Tick);
 
    --  A task was released late, or ran into its next release (FRM-4).
    with procedure Report_Overrun (Who : Task_Id);

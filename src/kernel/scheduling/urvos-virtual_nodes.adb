@@ -84,7 +84,7 @@ package body URVOS.Virtual_Nodes with SPARK_Mode is
 
    procedure Clock_Interrupt (Now : Clock_Tick) is
    begin
-      Software.Tell_Time (Now);
+      Software.Set_Time (Now);
       for Which in Master .. Last loop
          Tick (Which, Now);
          Run (Which);
