@@ -80,7 +80,7 @@ CONDITIONS = ("exact", "noise and biases", "light turbulence too")
 
 INPUTS = ("multisine", "doublets")
 STARTS_S, LENGTH_S = (8.0, 36.0, 64.0), 20.0
-"""Of the times in which both are flown. The last one is for validation."""
+"""Starts and length of the manoeuvres. The last one is for validation."""
 CARD = cards.Card(
     slot=1, kind="multisine", surfaces=cards.SURFACES, amplitude=200,
     time=round(LENGTH_S * 100), first=5, last=4 * 16 + 8)

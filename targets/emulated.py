@@ -78,7 +78,7 @@ SENSORS = [f"{side}_{name}" for name in ("flap_1", "flap_2", "aileron",
 
 
 class Tape:
-    """What an emulated node gets from outside; see Tapes in targets."""
+    """The inputs of an emulated node; see Tapes in targets."""
 
     def __init__(self, seconds, lag=0, quantum=0, flags=0, line_delay_us=0):
         self.lag, self.quantum, self.flags = lag, quantum, flags
@@ -121,7 +121,7 @@ class Tape:
 
 
 class Run:
-    """What an emulated node has written."""
+    """The output of an emulated node."""
 
     def __init__(self, text):
         self.text = text

@@ -65,7 +65,7 @@ class Wrong(NamedTuple):
 
 
 class Flight:
-    """What a flight left: for each frame the age of what CORE holds, whether
+    """The record of a flight: for each frame the age of what CORE holds, whether
     it says of itself that it is old, and what the link counted in it; when
     each character was sent. wire_errors lists wrong messages on the wire and
     wrong counts of them. Came_twice is how many blocks a seal refuses because

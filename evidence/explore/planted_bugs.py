@@ -41,7 +41,7 @@ BUGS = {
 
 
 def found(copy, file, text, instead, says):
-    """Whether the exploration of the copy with this bug reports it."""
+    """True if the exploration of the copy reports this bug."""
     source = copy / file
     original = source.read_text("utf-8")
     if original.count(text) != 1:

@@ -49,7 +49,7 @@ SLACK_ROWS = monitor.CARD_ROWS
 
 ALPHA_WORDS = 80
 PITCH_WORDS = ROLL_WORDS = 22.75
-"""Of a degree."""
+"""Words in a degree."""
 
 
 class Flight(NamedTuple):
@@ -197,7 +197,7 @@ def sensors(chance):
 
 
 def some_faults(chance):
-    """Of the kinds of the random mixes, of the console and of surfaces."""
+    """Faults of the kinds of the random mixes, of the console and of surfaces."""
     lines = []
     for _ in range(chance.choice((0, 0, 1, 2, 4))):
         at = chance.uniform(STARTS_FROM_MS, SECONDS * 1_000)
@@ -341,7 +341,7 @@ class Outcome(NamedTuple):
 
 
 def judged(flight, folder):
-    """What is wrong with a flight that was flown, and its figures."""
+    """The faults found in a flight, and its figures."""
     files = {name: folder / name for name in ("sticks", "sensors", "faults")
              if name in flight.files}
     found = monitor.check(

@@ -19,7 +19,7 @@ FRAME_MS = 20
 TURNS = 10
 RED = (179, 20, 12)
 COVERED = (0.5, 0.3)
-"""Of the display's picture: a place that is red when frames are missing."""
+"""Place in the display's picture: a place that is red when frames are missing."""
 
 SEQUENCE = "/URV/sequence"
 SHOWN = {f"/URV/gsc/downlink/{name}": f"gsc.downlink.{name}" for name in (

@@ -7,7 +7,7 @@ from urv import cards
 
 UNIT, SINES, POWER_UNIT, POWERS, SHARE_UNIT = 16_384, 256, 2_048, 64, 256
 SHARES = (256, 128, 96, 90, 86, 73, 69, 67, 61, 59, 56, 53)
-"""Of URV.Signal_Tables; a test compares them."""
+"""The shares of URV.Signal_Tables; a test compares them."""
 FINE = 64
 
 

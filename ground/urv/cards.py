@@ -127,7 +127,7 @@ class Card:
 
     @property
     def seconds(self):
-        """Of the whole input."""
+        """Length of the whole input."""
         return self.length / FRAMES_PER_S
 
     def envelope(self):
@@ -144,7 +144,7 @@ class Card:
 
     @property
     def frames(self):
-        """Of a pulse, or of the whole."""
+        """Length of a pulse, or of the whole input."""
         return self.time * FRAMES_PER_S // 100
 
     @property
@@ -175,7 +175,7 @@ class Card:
         return card_signals.words_added(self)
 
     def unit(self, surface):
-        """Of an input."""
+        """Unit of an input's amplitude."""
         return UNITS[self.place][surface]
 
     def rate(self, surface):

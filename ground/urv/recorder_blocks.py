@@ -17,7 +17,7 @@ PARTS = 4
 PART_WORDS = 18
 LARGEST = 0xFFF
 MOST_ROWS = LARGEST
-"""Of a request."""
+"""Rows that one request may ask for."""
 
 ANSWERS = ("accepted", "the aircraft flies, or its state is not known",
            "no row from the first one on is held")

@@ -19,7 +19,7 @@ import time
 from urv import faults, packets, recorder_blocks, station
 
 ROWS_AT_ONCE = 100
-"""Of a request: a lost one costs little."""
+"""Rows of one request: a lost one costs little."""
 
 SILENCE_S = 1.0
 """Without a block for longer, the aircraft is asked again."""

@@ -312,7 +312,7 @@ def latency_lines(flight, summary):
 
 
 def limits(flight):
-    """What was out of limits?"""
+    """The verdict on values out of limits."""
     found = flight.excursions
     warnings = sum(each.level == WARNING for each in found)
     cautions = len(found) - warnings

@@ -34,7 +34,8 @@ TIMES = plant.Times(tick=2000, frame=10, scan=8, shown=10)
 
 STEP_MS = TIMES.step * TIMES.tick / 1e3
 DELAYS_DEVIATION_MS = 0.5
-"""Of delays by steps: they are those of straight lines."""
+"""Standard deviation of the delays that come from integration in steps. The
+delays are those of straight lines."""
 
 # Steps until servos have reached their commands: 4 s.
 SERVO_STEPS = 1000

@@ -42,7 +42,7 @@ from urv import (archive, controls, faults, flights, ground, main, mavlink,
 from urv.door import Token, address_of, is_own_host
 
 SECONDS = float(os.environ.get("URV_FUZZ_SECONDS", "0"))
-"""Of all tests here together, when there are more inputs than usual."""
+"""Time of all tests here together, when there are more inputs than usual."""
 
 PHASES = (Phase.generate,) if SECONDS else tuple(Phase)
 """To look for a smaller input takes minutes."""

@@ -183,7 +183,7 @@ HOSTILE = {
         {"frame": long_column(), "time_ms": long_column()},
         row_group_size=2 ** 30)(path),
 }
-"""What a file holds, or a procedure that writes it."""
+"""The contents of a file, or a procedure that writes it."""
 
 
 @pytest.fixture(scope="module")

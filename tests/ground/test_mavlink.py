@@ -503,7 +503,7 @@ UNKNOWN = {
     "VFR_HUD": {"heading": -1}}
 NEVER_KNOWN = {"SYS_STATUS": {"voltage_battery": 65_535},
                "RADIO_STATUS": {"remrssi": 255}}
-"""What each field says when nobody knows, as common.xml has it; VFR_HUD has
+"""The value of each field that means "unknown" in common.xml; VFR_HUD has
 none for its heading, -1 is no heading."""
 
 

@@ -678,7 +678,7 @@ def overlaps(page):
 
 
 def settled(page, look, wanted):
-    """What one look at the page gives, when it gives the wanted: a late
+    """The result of one look at the page, once it is the wanted one: a late
     machine's page is redrawn when its frames stop and come again."""
     for _ in range(50):
         seen = look()

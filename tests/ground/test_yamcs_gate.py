@@ -79,7 +79,7 @@ CONTROL = (
 WRITES = (
     ("POST", "archive/urv/events", {"message": "no"}),
     ("PUT", CLOCK, {"type": "DOUBLE", "doubleValue": 9.0}))
-"""What the station may do, at Yamcs itself."""
+"""Requests that the station may send to Yamcs itself."""
 
 
 class Yamcs:

@@ -156,7 +156,7 @@ class Peer:
             self._pending.clear()
 
     def _rest_of_data(self, limit_s):
-        """What follows the header of a data message: is it good?"""
+        """Reads the rest of a data message after its header: is it good?"""
         block = bytearray([self.hears])
         length = 2 * WORDS[self.hears] + 2
         while len(block) < length:

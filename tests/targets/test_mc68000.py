@@ -237,7 +237,7 @@ def test_tst5_each_background_is_needed(tmp_path):
 
 
 def test_tst5_a_stuck_cell_anywhere_in_ram_is_found(tmp_path):
-    """Of a variable, of both ends of the stack, and the last one. A bit has the
+    """Cells of a variable, of both ends of the stack, and the last one. A bit has the
     value that the program needs, or nobody reads it."""
     places = [
         (address("flight_ram_tests__progress"), 0x80, 0),

@@ -20,7 +20,7 @@ GRAVITY = 32.174
 """ft/s2; the aircraft file may have the local one."""
 
 LEAST, MOST = 1e-6, 1e9
-"""Of a positive number; no aircraft has others."""
+"""Bounds of a positive number; no aircraft has others."""
 
 LONGEST_NAME = 60
 
@@ -51,7 +51,7 @@ class Aircraft:
     span: float
     chord: float
     gravity: float = GRAVITY
-    """What level accelerometers show where the aircraft flies, ft/s2."""
+    """Local gravity as level accelerometers show it, ft/s2."""
     prior: dict[str, float] = field(default_factory=dict)
     """Derivatives for comparison, per rad."""
     delays: dict[str, float] = field(default_factory=dict)

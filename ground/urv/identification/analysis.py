@@ -85,7 +85,7 @@ class Axis:
 
 @dataclass
 class Result:
-    """Of all records."""
+    """The result of all records together."""
 
     records: list[str]
     compatibility: list[compatibility.Compatibility | None]

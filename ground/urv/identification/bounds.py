@@ -81,7 +81,7 @@ def _by_inputs(gradients, white, considered):
 
 
 def autocorrelation(residuals, longest):
-    """Of each pair of outputs at lags from -longest to longest: outputs,
+    """Autocorrelation of each pair of outputs at lags from -longest to longest: outputs,
     outputs, lags."""
     outputs = len(residuals[0])
     found = numpy.zeros((outputs, outputs, 2 * longest + 1))

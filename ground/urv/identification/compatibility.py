@@ -178,9 +178,9 @@ class Compatibility:
     is_rough: bool
     """Gusts hide scale factors and delays: none is applied."""
     airspeed_deviation: float
-    """Of the constant error of the airspeed, ft/s."""
+    """Standard deviation of the airspeed's constant error, ft/s."""
     alpha_deviation: float
-    """Of the constant error of alpha, rad."""
+    """Standard deviation of alpha's constant error, rad."""
 
     @property
     def by_name(self) -> dict[str, Found]:

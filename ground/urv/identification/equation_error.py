@@ -16,7 +16,7 @@ from urv.identification import bounds
 
 WINDOW = 11
 ORDER = 3
-"""Of Savitzky and Golay's filter: 0.22 s, for slopes and all else alike."""
+"""Savitzky and Golay's filter: 0.22 s, for slopes and values alike."""
 
 LEAST_MOVEMENT = {"alpha": 2e-3, "q": 1e-4, "elevator": 2e-3, "speed": 5e-3,
                   "beta": 2e-3, "p": 1e-3, "r": 5e-4, "aileron": 2e-3,
@@ -25,7 +25,8 @@ LEAST_MOVEMENT = {"alpha": 2e-3, "q": 1e-4, "elevator": 2e-3, "speed": 5e-3,
 angle."""
 
 MOST_INFLATION = 1e4
-"""Of the variance by the other regressors: more is the same signal twice."""
+"""Growth of the variance by the other regressors: more means that two
+regressors are the same signal."""
 
 
 @dataclass
@@ -35,11 +36,11 @@ class Regression:
     values: dict[str, float]
     deviations: dict[str, float]
     constants: dict[str, list[float]]
-    """Of each coefficient, for each segment."""
+    """Constant of each coefficient, for each segment."""
     missing: dict[str, str]
     """Variables that these data say nothing about, each with the reason."""
     inflation: dict[str, float]
-    """Of the variance of each variable's derivatives by the others."""
+    """Growth of the variance of each variable's derivatives by the others."""
 
 
 def regress(airframe, segments) -> Regression:

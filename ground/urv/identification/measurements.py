@@ -25,7 +25,7 @@ SEA_LEVEL_DENSITY = 0.0023769
 LONGEST_GAP_S = 0.1
 
 SMOOTH_FRAMES, SMOOTH_ORDER = 51, 3
-"""Of Savitzky and Golay's filter of the airspeed: about 1 s."""
+"""Savitzky and Golay's filter of the airspeed: about 1 s."""
 
 SENSORS = {
     "p": "roll_rate", "q": "pitch_rate", "r": "yaw_rate",

@@ -27,7 +27,7 @@ MOST_KEPT = 2
 """Results of a search that are kept: the best one and a step that failed."""
 
 DRAWS = 50
-"""Of the noise of inputs: deviations from them are known to a tenth."""
+"""Drawn histories of the inputs' noise. They give deviations to a tenth."""
 MOST_AT_ONCE = 1_000_000
 """Times of all columns that are integrated at once for them."""
 
@@ -92,7 +92,7 @@ class Fit:
     """Estimates, and the outputs that they give."""
 
     values: dict[str, float]
-    """Of parameters with scope ALL."""
+    """Values of the parameters with scope ALL."""
     of_records: dict[tuple[str, int], float]
     deviations: dict[str, float]
     """Standard deviations, corrected for coloured residuals. Parameters of
@@ -104,11 +104,11 @@ class Fit:
     correlations: numpy.ndarray
     white_correlations: numpy.ndarray
     names: list[str]
-    """Of the rows of correlations."""
+    """Names of the rows of correlations."""
     noise: numpy.ndarray
     """Standard deviation of each output's residuals."""
     outputs: list[numpy.ndarray]
-    """Of each segment, as rows."""
+    """Outputs of each segment, as rows."""
     residuals: list[numpy.ndarray]
     rounds: int
     has_converged: bool
@@ -323,8 +323,8 @@ class Problem:
         return numpy.unique(self.places[number][self.places[number] >= 0])
 
     def sensitivities(self, changed, base):
-        """Of the outputs of each segment: outputs, times, parameters of
-        `columns`."""
+        """Sensitivities of each segment's outputs: outputs, times, parameters
+        of `columns`."""
         for number, part in enumerate(self.segments):
             length = len(part.times)
             columns = self.columns(number)
@@ -381,7 +381,8 @@ class Problem:
         return answer.x
 
     def gradients(self, drawn, tables, noise):
-        """Of the likelihood, by changes of the outputs: draws, parameters."""
+        """Gradients of the likelihood by changes of the outputs: draws,
+        parameters."""
         found = numpy.zeros((len(drawn[0]), len(self.start)))
         for number, (each, table) in enumerate(zip(drawn, tables, strict=True)):
             found[:, self.columns(number)] += numpy.einsum(
