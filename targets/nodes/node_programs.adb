@@ -82,14 +82,13 @@ package body Node_Programs is
    end On_Tick;
 
    procedure On_Converted (Value : Unsigned_32) is
-      Item : constant Word := Word (Value and 16#FFF#);
       Next : Successor;
    begin
-      AD_Board.Pass_Value (Item, Next);
+      AD_Board.Pass_Value (Word (Value and 16#FFF#), Next);
       if Next in Next_Channel then
          Targets.Convert (Channel_Number (Next));
       else
-         Handle_End (Next, Item);
+         Handle_End (Next, Word (Value and 16#FFF#));
          Scan_Ended := True;
          Awake := Targets.Up;
       end if;

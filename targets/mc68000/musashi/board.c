@@ -34,8 +34,9 @@
              interrupts with level 7, which cannot be masked, by autovector 31.
              It is off until the first write, and after RESET (BRD-7).
      F30000  settings from the tape: flags, line delay in us; 1 when the flight
-             is over (long words); F3000C: 1 stops the time, 0 lets it go on;
-             F3000E ends the run
+             is over (long words); F3000C: 1 stops the time, 0 lets it go on, and
+             a read gives 1 from each tenth tick served until time has stopped and
+             goes on, plus 2 when the flight is over; F3000E ends the run
 
    A node's time begins when its controller first starts the second timer; a lag
    of n ticks in its tape lets the timer start later. A character needs 96 us for
@@ -190,8 +191,9 @@ struct node {
    uint64_t time;                     /* cycles, of the begun instructions */
    uint64_t held_at;
    bool begun, held;
+   bool row_is_due;                   /* until a row has been written */
    uint64_t start;                    /* the time when the clock began */
-   uint32_t ticks;
+   uint32_t ticks, served;            /* the clock's, and its interrupts */
    int unexpected_interrupt;
    bool requested;                    /* an interrupt */
    uint8_t next_errors;               /* of the next character received */
@@ -312,8 +314,11 @@ int board_acknowledge(int level)
       vector = node->line.vector;
    else if (level == 5)
       vector = node->converter.vector;
-   else
+   else {
       vector = node->clock.vector;
+      if (++node->served % TICKS_PER_FRAME == 0)
+         node->row_is_due = true;
+   }
    if (node->stopped) {
       node->stopped = false;
       if (now() < node->stopped_at)
@@ -706,6 +711,12 @@ static uint32_t setting(unsigned place)
    }
 }
 
+/* What is due at a tick */
+static unsigned due(void)
+{
+   return (node->row_is_due ? 1 : 0) | (setting(8) ? 2 : 0);
+}
+
 static void print_figure(const char *name, const struct figure *figure)
 {
    uint64_t count = figure->count ? figure->count : 1;
@@ -754,7 +765,7 @@ static void control(unsigned place, uint16_t value)
          node->held = true;
       } else if (!value && node->held) {
          node->time = node->held_at - (uint64_t)m68k_cycles_run();
-         node->held = false;
+         node->held = node->row_is_due = false;
       }
       break;
    case 0xE: end_run(); break;
@@ -854,6 +865,8 @@ unsigned int m68k_read_memory_16(unsigned int where)
       return read_converter(where & 15);
    if (where - 0xF20000 < 2 * SERVOS)
       return node->servos[(where - 0xF20000) / 2];
+   if (where == 0xF3000C)
+      return due();
    return m68k_read_memory_8(where) << 8 | m68k_read_memory_8(where + 1);
 }
 

@@ -76,16 +76,21 @@ package body Targets is
       Flags      : Unsigned_32;
       Line_Delay : Unsigned_32;
       Is_Over    : Unsigned_32;   --  1 after the flight's time
-      Stop_Time  : Board_Word;    --  1: no time passes
+      Stop_Time  : Board_Word;    --  1: no time passes; read: see Is_Due
       End_Run    : Board_Word;
    end record;
 
    Emulator : Emulator_Board
    with Import, Volatile, Address => To_Address (16#F3_0000#);
 
-   --  The frame of the flight's record, and the ticks left in it.
+   --  Read at a tick: 0 unless a row of the record is due, or the flight is
+   --  over. The emulator counts, so that the processor's time is its own.
+   Is_Due : Board_Word renames Emulator.Stop_Time;
+
+   Row_Is_Due : constant Board_Word := 1;
+
+   --  The frame of the flight's record.
    Frame     : Unsigned_32 := 0;
-   Ticks     : Natural     := 10;
    Has_Begun : Boolean     := False;
 
    --  The vectors lead here: the compiler saves the registers. The handlers do
@@ -103,6 +108,10 @@ package body Targets is
    with Inline;
 
    procedure End_Run;
+
+   --  Puts the row that is due, and ends a flight that is over.
+   procedure Serve_Emulator;
+   pragma No_Inline (Serve_Emulator);
 
    procedure Mask_Others is
    begin
@@ -158,23 +167,29 @@ package body Targets is
       Emulator.End_Run := 1;
    end End_Run;
 
+   procedure Serve_Emulator is
+      Due : constant Board_Word := Is_Due;
+   begin
+      if Emulator.Is_Over = 1 then
+         End_Run;
+      end if;
+      if (Due and Row_Is_Due) /= 0 then
+         Emulator.Stop_Time := 1;
+         Put ("row");
+         Put_Labelled ("frame", Frame);
+         Put_Row;
+         Frame := Frame + 1;
+         Emulator.Stop_Time := 0;
+      end if;
+   end Serve_Emulator;
+
    procedure On_Clock is
       Unused_Is_Due : Boolean;
    begin
       Mask_Others;
       Take_Period (Clock_Chip, Unused_Is_Due);
-      Ticks := Ticks - 1;
-      if Emulator.Is_Over = 1 then
-         End_Run;
-      end if;
-      if Ticks = 0 then
-         Emulator.Stop_Time := 1;
-         Put ("row");
-         Put_Labelled ("frame", Frame);
-         Put_Row;
-         Ticks := 10;
-         Frame := Frame + 1;
-         Emulator.Stop_Time := 0;
+      if Is_Due /= 0 then
+         Serve_Emulator;
       end if;
       On_Tick;
    end On_Clock;
