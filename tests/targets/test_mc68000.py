@@ -477,3 +477,71 @@ def test_brd4_a_type_that_may_be_at_an_odd_address_is_found():
         "for Flags'Component_Size use 8;\n"
         "for Words'Size use 32;\nfor Words'Alignment use 2;\n"
         "for Words'Component_Size use 16;\n") == ["Flags", "Pair"]
+
+
+# A program of a few instructions, with one vector for each exception that is
+# named, and its data sheet's times.
+HEAD = """
+	.long	0x110000, begin
+	.rept	254
+	.long	handler
+	.endr
+"""
+
+# The clock begins: the emulator reports the cycles until then.
+START_CLOCK = """
+	move.b	#0x60, 0xf00029
+	move.b	#0, 0xf0002d
+	move.b	#250, 0xf0002f
+	tst.b	0xf0003d
+	move.w	#1, 0xf3000e
+	bra	.
+"""
+
+# The telemetry board ends after its controller.
+END_WITH_CONTROLLER = HEAD + """
+handler:
+begin:	tst.l	0xf30008
+	beq	begin
+	move.w	#1, 0xf3000e
+	bra	.
+"""
+
+
+def assembled(folder, name, text):
+    source, linked = folder / f"{name}.s", folder / f"{name}.o"
+    source.write_text(text)
+    subprocess.run([f"{MACHINE.prefix}as", "-m68000",
+                    "--register-prefix-optional", source, "-o", linked],
+                   check=True)
+    program = folder / f"{name}.elf"
+    subprocess.run([f"{MACHINE.prefix}ld", "-Ttext", "0", "-e", "0", linked,
+                    "-o", program], check=True)
+    subprocess.run([f"{MACHINE.prefix}objcopy", "-O", "binary", "-j", ".text",
+                    program, folder / f"{name}.bin"], check=True)
+    return folder / f"{name}.bin"
+
+
+def run_program(folder, text):
+    """The end of a controller with this program."""
+    images = {"mcs": assembled(folder, "program", HEAD + text),
+              "mcs_board": assembled(folder, "board", END_WITH_CONTROLLER)}
+    return MACHINE.fly({"mcs": emulated.Tape(1)}, folder, images)["mcs"]
+
+
+def test_brd4_an_interrupt_takes_the_cycles_of_the_data_sheet(tmp_path):
+    """44 for the interrupt of a device, with its vector, and 20 for RTE."""
+    started = [run_program(tmp_path, f"""
+handler:
+	move.w	0xf10002, d1
+	rte
+begin:	move.w	#64, 0xf10004
+	move.w	#{enabled}, 0xf10006
+	move.w	#0x2000, sr
+	move.w	#3, 0xf10000
+	move.w	#2000, d0
+1:	dbra	d0, 1b
+	move.w	#0x2700, sr
+{START_CLOCK}""").numbers["start"] for enabled in (0, 1)]
+    # The handler reads the value, in 16 cycles.
+    assert started[1] - started[0] == 44 + 16 + 20

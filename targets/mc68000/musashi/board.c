@@ -94,7 +94,10 @@ enum {
    STOP = 0x4E72,
    RETURN_FROM_EXCEPTION = 0x4E73,
    STOP_CYCLES = 4,
-   INTERRUPT_CYCLES = 44
+   RETURN_CYCLES = 20,
+   INTERRUPT_CYCLES = 44,
+   FIRST_USER_VECTOR = 64,
+   USER_VECTOR_CYCLES = 4             /* what Musashi counts for one of these */
 };
 
 enum event {
@@ -255,6 +258,9 @@ static void look_again(void)
       m68k_end_timeslice();
 }
 
+/* The cycles that the processor still has in this call of Musashi. */
+extern int m68ki_remaining_cycles;
+
 /* Interrupts */
 
 static bool wants(const struct duart *duart)
@@ -301,6 +307,7 @@ static void add(struct figure *figure)
 int board_acknowledge(int level)
 {
    int vector;
+   uint64_t begun = now();
 
    if (node->cell != 0)
       fail("an interrupt while a cell is tested", node->cell);
@@ -321,10 +328,11 @@ int board_acknowledge(int level)
    }
    if (node->stopped) {
       node->stopped = false;
-      if (now() < node->stopped_at)
+      if (now() < node->stopped_at) {
          /* It was pending: Musashi gives up the rest of the time. */
-         node->cut = node->stopped_at + INTERRUPT_CYCLES;
-      else
+         begun = node->stopped_at;
+         node->cut = begun + INTERRUPT_CYCLES;
+      } else
          node->idle += now() - node->stopped_at;
    }
    if (level == 4 && node->begun) {
@@ -335,7 +343,10 @@ int board_acknowledge(int level)
       add(&node->late_converter);
    }
    if (node->depth < HANDLERS)
-      node->handlers[node->depth++] = (struct handler){ vector, now() };
+      node->handlers[node->depth++] = (struct handler){ vector, begun };
+   /* An MC68000 takes the same time for an interrupt of each vector. */
+   if (vector >= FIRST_USER_VECTOR)
+      m68ki_remaining_cycles -= INTERRUPT_CYCLES - USER_VECTOR_CYCLES;
    return vector;
 }
 
@@ -465,7 +476,7 @@ void board_instruction(unsigned int pc)
       node->stopped_at = now() + STOP_CYCLES;
    } else if (code == RETURN_FROM_EXCEPTION && node->depth > 0) {
       struct handler *ended = &node->handlers[--node->depth];
-      uint64_t spent = now() + 20 - ended->begun + INTERRUPT_CYCLES;
+      uint64_t spent = now() + RETURN_CYCLES - ended->begun;
 
       if (node->begun) {
          node->by_vector[ended->vector].now = spent;
