@@ -393,6 +393,17 @@ def link_is_up(runs):
     assert gsc.downlink(last_gsc)[:-1] == mcs.downlink(last_mcs)[:-1]
 
 
+def test_brd8_no_processor_of_a_node_runs_ahead_of_the_other(
+        tmp_path, monkeypatch):
+    """While both work: by 64 cycles and an instruction at most, of which a
+    division is the longest."""
+    monkeypatch.setattr(MACHINE, "mhz", 100)
+    _, runs = MACHINE.fly_both(tmp_path, 1, laws=False)
+    for run in runs.values():
+        for name in ("ahead_worst", "board_ahead_worst"):
+            assert 0 < run.numbers[name] < 64 + 200
+
+
 def board_place(name):
     """The address of a symbol of the telemetry board's program."""
     symbols = subprocess.run(

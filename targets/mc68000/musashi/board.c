@@ -213,6 +213,8 @@ struct node {
    uint64_t claimed_at, test_begun;
    uint64_t due;                      /* of the clock's interrupt */
    struct figure late_clock, late_converter;
+   uint64_t worked_until;             /* the last time when it did not sleep */
+   struct figure ahead;               /* of its partner, while both work */
    bool claims;                       /* it holds the lock */
    struct handler handlers[HANDLERS];
    int depth;
@@ -747,6 +749,7 @@ static void end_run(void)
       print_figure("frame", &node->frame);
    }
    print_figure("claim", &node->claim);
+   print_figure("ahead", &node->ahead);
    if (!node->is_telemetry_board) {
       print_figure("ram_test", &node->ram_test);
       print_figure("late_clock", &node->late_clock);
@@ -1116,16 +1119,28 @@ static void sooner(uint64_t *time, bool when, uint64_t candidate)
       *time = candidate;
 }
 
-static uint64_t next_event(uint64_t until)
+static uint64_t next_event(const struct node *of, uint64_t until)
 {
    uint64_t next = until;
 
-   sooner(&next, node->line.runs, node->line.next);
-   sooner(&next, node->clock.runs, node->clock.next);
-   sooner(&next, node->converter.converting, node->converter.done);
-   sooner(&next, node->characters > 0, node->coming[0].time);
-   sooner(&next, node->watched, node->watchdog);
-   return next > node->time ? next : node->time + 1;
+   sooner(&next, of->line.runs, of->line.next);
+   sooner(&next, of->clock.runs, of->clock.next);
+   sooner(&next, of->converter.converting, of->converter.done);
+   sooner(&next, of->characters > 0, of->coming[0].time);
+   sooner(&next, of->watched, of->watchdog);
+   return next > of->time ? next : of->time + 1;
+}
+
+/* This processor works on from now, which its partner may have passed. */
+static void measure_ahead(void)
+{
+   struct node *partner = node->partner;
+
+   if (partner->ended || partner->held || node->held
+       || partner->worked_until < node->time)
+      return;
+   partner->ahead.now = partner->worked_until - node->time;
+   add(&partner->ahead);
 }
 
 static void run(uint64_t until)
@@ -1137,9 +1152,12 @@ static void run(uint64_t until)
       loaded = node;
    }
    while (!node->ended && node->time < until) {
-      uint64_t next = next_event(until);
+      uint64_t next = next_event(node, until);
+      bool works = !is_asleep(node);
       int used;
 
+      if (works)
+         measure_ahead();
       executing = true;
       node->cut = 0;
       used = m68k_execute((int)(next - node->time));
@@ -1148,6 +1166,8 @@ static void run(uint64_t until)
          node->time = node->held_at;
       else
          node->time = node->cut ? node->cut : node->time + (uint64_t)used;
+      if (works)
+         node->worked_until = node->stopped ? node->stopped_at : node->time;
       run_devices();
    }
 }
@@ -1166,10 +1186,12 @@ static void run_node(struct node *controller, uint64_t until)
       if (node->ended || node->time >= until)
          break;
       if (is_asleep(node))
-         end = next_event(until);
-      else if (!is_asleep(node->partner)
-               && node->partner->time + AHEAD_CYCLES < end)
-         end = node->partner->time + AHEAD_CYCLES;
+         end = next_event(node, until);
+      else if (!is_asleep(node->partner))
+         sooner(&end, true, node->partner->time + AHEAD_CYCLES);
+      else if (!node->partner->ended)
+         /* It may wake. */
+         end = next_event(node->partner, until);
       run(end);
    }
 }
