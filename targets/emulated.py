@@ -48,6 +48,9 @@ ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK = range(9, 11)
 STUCK_BITS, ILLEGAL_IN_RAM_TEST, INTERRUPT_IN_RAM_TEST = range(11, 14)
 RESET_SWITCH = 14
 
+# An illegal instruction at power up, when the controller has read its settings.
+ILLEGAL_IN_START = 15
+
 # Is added to an event that befalls the telemetry board's processor.
 ON_TELEMETRY_BOARD = 32
 

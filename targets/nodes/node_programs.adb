@@ -29,6 +29,10 @@ package body Node_Programs is
    --  The last interrupt of a scan has been handled.
    Scan_Ended : Boolean := False with Volatile;
 
+   --  The telemetry board has been started since power up. A processor that
+   --  restarts before that starts it.
+   Board_Is_Started : Boolean := False;
+
    --  One of these has happened.
    Awake : aliased Targets.Flag := Targets.Down;
 
@@ -139,8 +143,9 @@ package body Node_Programs is
       Targets.Open;
       Scan_Ended := False;
       Has_Ticked := False;
-      if Condition /= Processor_Restart then
+      if Condition /= Processor_Restart or else not Board_Is_Started then
          Telemetry_Board.Start;
+         Board_Is_Started := True;
       end if;
       Put (Name);
       case Condition is

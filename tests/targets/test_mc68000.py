@@ -383,6 +383,18 @@ def test_brd8_a_controller_restarts_alone(tmp_path, node, fault):
     link_is_up(runs)
 
 
+@pytest.mark.parametrize("node", ["gsc", "mcs"])
+def test_brd8_a_controller_that_fails_in_its_first_start_has_a_link(
+        tmp_path, node):
+    """Before it has let its telemetry board use the memory of both."""
+    tapes = moved(2)
+    tapes[node].plant(0, emulated.ILLEGAL_IN_START)
+    runs = MACHINE.fly(tapes, tmp_path)
+    assert runs[node].has(f"restarts count 1 reason {ILLEGAL}")
+    assert runs[node].has("board telemetry board cold start")
+    link_is_up(runs)
+
+
 def link_is_up(runs):
     """The last frames have the other node's latest words."""
     gsc, mcs = runs["gsc"], runs["mcs"]

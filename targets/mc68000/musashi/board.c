@@ -82,6 +82,7 @@ enum {
    AHEAD_CYCLES = 64,                 /* of the node's other processor */
 
    CHANNELS = 32,
+   ENTRY_SIZE = 8 + 2 * CHANNELS,     /* of a tape */
    SERVOS = 16,
    NODES = 2,
    PROCESSORS = 2 * NODES,
@@ -104,7 +105,7 @@ enum event {
    WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS,
    PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER, ENDLESS_LOOP, LOST_TIMER,
    ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK, STUCK_BITS, ILLEGAL_IN_RAM_TEST,
-   INTERRUPT_IN_RAM_TEST, RESET_SWITCH,
+   INTERRUPT_IN_RAM_TEST, RESET_SWITCH, ILLEGAL_IN_START,
 
    ON_TELEMETRY_BOARD = 32            /* is added to an event of that board */
 };
@@ -172,6 +173,7 @@ struct node {
                                          this number, from 1, of the long word */
    unsigned cell, contents;           /* under test, and before the test */
    enum event in_test;                /* an event in the next one */
+   bool fails_in_start;               /* after it has read its settings */
    struct node *partner;              /* the node's other one */
    uint8_t *dual;                     /* the memory of both */
    FILE *console;
@@ -711,10 +713,20 @@ static void write_converter(unsigned place, uint16_t value)
 
 /* Settings and the end */
 
+static void plant(const uint16_t *words)
+{
+   node->planted = words;
+   node->planted_at = node->planted_words = 0;
+}
+
 static uint32_t setting(unsigned place)
 {
    switch (place) {
-   case 0: return node->flags;
+   case 0:
+      if (node->fails_in_start)
+         plant(illegal_words);
+      node->fails_in_start = false;
+      return node->flags;
    case 4: return node->delay_us;
    case 8:
       if (node->is_telemetry_board)
@@ -807,12 +819,6 @@ void board_reset(void)
 static struct duart *duart_at(unsigned where)
 {
    return where >> 5 & 1 ? &node->clock : &node->line;
-}
-
-static void plant(const uint16_t *words)
-{
-   node->planted = words;
-   node->planted_at = node->planted_words = 0;
 }
 
 /* Two processors with one claim each are an error of this program or of TAS.
@@ -1005,6 +1011,7 @@ static void happen(uint32_t event, const uint8_t *words)
    case ILLEGAL_IN_RAM_TEST: case INTERRUPT_IN_RAM_TEST:
       node->in_test = event;
       break;
+   case ILLEGAL_IN_START: break;      /* it came before the clock began */
    case RESET_SWITCH:
       board_reset();
       node->stopped = false;
@@ -1025,7 +1032,7 @@ static void play_tape(void)
          node = controller->partner;
       happen(event % ON_TELEMETRY_BOARD, controller->entry + 8);
       node = controller;
-      node->entry += 8 + 2 * CHANNELS;
+      node->entry += ENTRY_SIZE;
       node->entries--;
    }
 }
@@ -1259,6 +1266,9 @@ static void power_up_node(const char *output, char **arguments)
    node->length = long_number(node->tape + 16);
    node->entries = long_number(node->tape + 20);
    node->entry = node->tape + 24;
+   for (uint32_t each = 0; each < node->entries; each++)
+      if (long_number(node->entry + each * ENTRY_SIZE + 4) == ILLEGAL_IN_START)
+         node->fails_in_start = true;
 
    snprintf(name, sizeof name, "%.50s_board", arguments[0]);
    power_up(output, name, arguments[2]);
