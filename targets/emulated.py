@@ -13,9 +13,11 @@ depend on the computer (D-82, D-83). docs/board.md says more.
 import contextlib
 import csv
 import random
+import shutil
 import socket
 import struct
 import subprocess
+import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -61,6 +63,10 @@ KEYS = "key 1 000102030405060708090a0b0c0d0e0f\n"
 
 # The number of words in each part of a row, in order.
 UPLINK, DOWNLINK, STATUS, PWM = 14, 28, 12, 14
+
+# A tape on the Cortex-M4 has 6,001 entries, in the flash after the program; a
+# scripted flight has one each 60 ms.
+MOST_SECONDS = 360
 
 FRAME_MS = 20
 FRAMES_PER_S = 1000 // FRAME_MS
@@ -123,6 +129,10 @@ class Tape:
             for tick, kind, words in entries)
 
 
+class Failed(Exception):
+    """An emulator has not ended its flight. The text says why."""
+
+
 class Run:
     """The output of an emulated node."""
 
@@ -177,16 +187,23 @@ class Machine:
         subprocess.run([ROOT / "targets" / "build.sh", self.name, node],
                        check=True)
 
-    def fly(self, tapes, folder, images=None, limit_s=LIMIT_S):
+    def fly(self, tapes, folder, images=None, limit_s=LIMIT_S,
+            may_fail=False):
         """Runs the nodes of these tapes until their ends; Run of each by
-        name. Two are joined by their serial lines."""
+        name. Two are joined by their serial lines. An emulator that fails is
+        an error, unless it may."""
         folder = Path(folder)
         for name, tape in tapes.items():
             (folder / f"{name}.tape").write_bytes(tape.data())
+        failed = False
         with contextlib.ExitStack() as stack:
             for each in list(
                     self.start(list(tapes), folder, images or {}, stack)):
-                each.wait(limit_s)
+                failed = each.wait(limit_s) != 0 or failed
+        if failed and not may_fail:
+            raise Failed("".join(
+                path.read_text(errors="replace")
+                for path in sorted(folder.glob("*.err"))).strip())
         return {name: Run(self.text(folder, name)) for name in tapes}
 
     def text(self, folder, name):
@@ -341,6 +358,34 @@ def differences(rows, runs):
                 (mcs, "mcs.downlink", mcs.downlink), (mcs, "pwm", mcs.pwm)):
             if frame in node.rows and seen(frame) != words(row, group):
                 yield frame, group
+
+
+def missing(rows, runs):
+    """Each node with a frame of the simulation that it has no row of. The last
+    frame may end after the flight."""
+    for name, run in runs.items():
+        for row in rows[:-1]:
+            if int(row["frame"]) not in run.rows:
+                yield int(row["frame"]), name
+
+
+def tools_missing(machine, nodes=("gsc", "mcs")):
+    """What is needed to fly a machine's images, and is not there."""
+    files = [ROOT / "bin" / "urv_sim",
+             *(machine.images / f"{node}.{kind}" for node in nodes
+               for kind in ("bin", "elf"))]
+    if machine is MC68000_BOARD:
+        files += [machine.images / name
+                  for name in ("board", "telemetry_board.bin")]
+    return [name for name in machine.needed if not shutil.which(name)] + [
+        str(each.relative_to(ROOT)) for each in files if not each.exists()]
+
+
+def check_tools(machine):
+    """Ends the program if something is not there."""
+    if lack := tools_missing(machine):
+        sys.exit(f"{Path(sys.argv[0]).name}: missing: {', '.join(lack)}:"
+                 f" make {machine.name} makes or installs them")
 
 
 def stop(process):

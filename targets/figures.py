@@ -86,17 +86,31 @@ def main():
     if len(sys.argv) < 2 or sys.argv[1] not in emulated.MACHINES:
         sys.exit(__doc__)
     machine = emulated.MACHINES[sys.argv[1]]
-    seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 10
+    try:
+        seconds = float(sys.argv[2]) if len(sys.argv) > 2 else 10
+    except ValueError:
+        sys.exit(__doc__)
+    if not 0 < seconds <= emulated.MOST_SECONDS:
+        sys.exit(f"figures.py: {seconds:g} s: a flight has up to"
+                 f" {emulated.MOST_SECONDS} s")
     if len(sys.argv) > 3:
         if machine is not emulated.MC68000_BOARD or not sys.argv[3].isdigit():
             sys.exit(__doc__)
         machine.mhz = int(sys.argv[3])
+    emulated.check_tools(machine)
     good = True
     for laws, sealed in ((False, False), (True, False), (True, True)):
         with tempfile.TemporaryDirectory() as folder:
-            rows, runs = machine.fly_both(folder, seconds, laws, sealed)
+            try:
+                rows, runs = machine.fly_both(folder, seconds, laws, sealed)
+            except emulated.Failed as error:
+                sys.exit(f"figures.py: the emulator failed: {error}")
         different = list(emulated.differences(rows, runs))
-        good = good and not different and all(
+        absent = list(emulated.missing(rows, runs))
+        for frame, node in absent[:1]:
+            print(f"figures.py: {node} has no row of frame {frame}, and of"
+                  f" {len(absent) - 1} others", file=sys.stderr)
+        good = good and not different and not absent and all(
             run.has(f"{node.upper()} started") for node, run in runs.items())
         print(f"{machine.name}: {seconds:g} s, laws {'on' if laws else 'off'}"
               f"{', sealed' if sealed else ''}:"
