@@ -37,6 +37,11 @@ def all_odd_types():
 
 
 def main():
+    folder = emulated.MC68000_BOARD.images / "objects"
+    if not any(folder.glob("*.rep")):
+        print("alignments.py: no listings to look at: make mc68000 makes them",
+              file=sys.stderr)
+        return 2
     found = sorted(all_odd_types())
     print(*found, sep="\n")
     return 1 if found else 0

@@ -12,6 +12,10 @@
 set -eu
 cd "$(dirname "$0")/.."
 root=$PWD
+if [ $# -ne 2 ]; then
+   echo "usage: targets/build.sh MACHINE PROGRAM, as cortex_m mcs" >&2
+   exit 2
+fi
 machine=$1
 node=$2
 listing=
@@ -59,6 +63,14 @@ case $machine in
            "mc68000" >&2
       exit 2 ;;
 esac
+
+for tool in gcc-12 gnatmake-12 gnatbind-12 ld; do
+   if ! command -v "$prefix$tool" >/dev/null; then
+      echo "targets/build.sh: missing: $prefix$tool:" \
+           "scripts/setup.sh $machine installs it" >&2
+      exit 1
+   fi
+done
 
 # The telemetry board of the MC68000 is a processor of its own. Its operations
 # are explored (BRD-8).

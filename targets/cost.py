@@ -159,6 +159,7 @@ def main():
     baseline = json.loads(BASELINE.read_text()) if BASELINE.exists() else {}
     found = {}
     for name in names or emulated.MACHINES:
+        emulated.check_tools(emulated.MACHINES[name])
         found.update(measured(emulated.MACHINES[name]))
     for name, value in found.items():
         print(f"{name:<56}{value:>12,}{baseline.get(name, 0):>12,}")

@@ -141,7 +141,14 @@ def number(name, text):
 
 
 def main():
+    if len(sys.argv) > 2 or not all(each.isdigit() for each in sys.argv[1:]):
+        sys.exit(__doc__)
     switches = int(sys.argv[1]) if len(sys.argv) > 1 else SWITCHES
+    for name in ("explore", "exploration.bin"):
+        if not (FOLDER / name).exists():
+            sys.exit(f"explorations.py: missing: {name}:"
+                     " targets/mc68000/musashi/build_board.sh and"
+                     " targets/build.sh mc68000 exploration make both")
     lines, wrong = explored(switches)
     for each in lines.values():
         print(each)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""BRD-1: the programs in targets report what they miss,
+"""BRD-1, BRD-4, BRD-5, BRD-8: the programs in targets report what they miss,
 and claim nothing of a flight that did not end."""
 
 import shutil
@@ -47,6 +47,29 @@ def test_brd1_figures_reports_what_it_cannot_fly(
         copy, arguments, status, line):
     found, last = ended(copy, *arguments)
     assert found == status and last.startswith(line)
+
+
+def test_brd5_cost_reports_missing_images(copy):
+    found, last = ended(copy, "cost.py", "mc68000")
+    assert found == 1 and last.startswith("cost.py: missing: ")
+
+
+def test_brd4_alignments_does_not_praise_types_that_it_has_not_seen(copy):
+    assert ended(copy, "alignments.py") == (
+        2, "alignments.py: no listings to look at: make mc68000 makes them")
+
+
+def test_brd8_explorations_reports_a_missing_program(copy):
+    found, last = ended(copy, "explorations.py")
+    assert found == 1
+    assert last.startswith("explorations.py: missing: explore: ")
+    assert ended(copy, "explorations.py", "two")[0] == 1
+
+
+@pytest.mark.parametrize("arguments", [(), ("cortex_m",)])
+def test_brd1_a_build_without_a_program_shows_its_usage(copy, arguments):
+    assert ended(copy, "build.sh", *arguments) == (
+        2, "usage: targets/build.sh MACHINE PROGRAM, as cortex_m mcs")
 
 
 def test_brd1_a_failed_emulator_ends_the_flight_with_its_reason(
