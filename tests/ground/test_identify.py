@@ -16,7 +16,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy
 import pytest
 from conftest import ROOT, fly
-from scipy import signal
+from scipy import ndimage, signal
 
 from urv import faults
 from urv.identification import (
@@ -582,6 +582,83 @@ def test_gnd61_a_card_that_a_gap_hides_is_reported(hidden):
     found = manoeuvres.found(Carded(hidden))
     assert [(each.begin, each.reason) for each in found] == [
         (10.0, manoeuvres.NOT_JUDGED)]
+
+
+class Sticks:
+    """A flight in which the pilot trims the pitch stick, then moves it."""
+
+    def __init__(self, seconds, pitch):
+        self.rows, self.seconds, self.pitch = len(seconds), seconds, pitch
+
+    def has_all(self, *names):
+        return not any(name.endswith("switch5") for name in names)
+
+    def values(self, name):
+        return self.pitch * name.endswith("pitch")
+
+
+def trimmed(seconds, moved_at):
+    """At 200 s the stick goes to 5 %, its rest from then on. A doublet."""
+    pitch = numpy.where(seconds < 200.0, 0.0, 5.0)
+    after = seconds - moved_at
+    return pitch + 10.0 * ((after >= 0) & (after < 0.5)) - 10.0 * (
+        (after >= 0.5) & (after < 1.0))
+
+
+@pytest.mark.parametrize("missing", ["none", "trim", "every second", "few"])
+def test_gnd61_missing_rows_do_not_stretch_the_time_of_a_rest(missing):
+    """The rest is a median over 20 s, whatever rows a record lacks."""
+    seconds = STEP_S * numpy.arange(1, 15_000)
+    if missing == "trim":
+        seconds = seconds[(seconds < 190.0) | (seconds > 212.0)]
+    elif missing == "every second":
+        seconds = seconds[::2]
+    elif missing == "few":
+        seconds = seconds[numpy.arange(len(seconds)) % 7 != 3]
+    found = manoeuvres.found(Sticks(seconds, trimmed(seconds, 216.0)))
+    assert [(round(each.begin, 1), round(each.end, 1))
+            for each in found if each.begin > 211.0] == [(215.5, 221.0)]
+
+
+def test_gnd61_rests_of_a_record_without_gaps_are_medians_of_20_s():
+    chance = numpy.random.default_rng(1)
+    for rows in (1, 2, 999, 12_345):
+        values = chance.normal(0, 5, rows).round(1)
+        found = manoeuvres.rests(STEP_S * numpy.arange(rows), values)
+        assert (found == ndimage.median_filter(
+            values, min(1000, rows) | 1, mode="nearest")).all()
+
+
+class Lacking:
+    """A flight without some of the rows of another."""
+
+    def __init__(self, flight, kept):
+        self.flight, self.kept = flight, kept
+        self.rows, self.seconds = len(kept), flight.seconds[kept]
+        self.has_all = flight.has_all
+
+    def values(self, name):
+        return self.flight.values(name)[self.kept]
+
+
+def test_gnd61_missing_rows_hide_no_card_without_a_word():
+    """The rows in which the surfaces move are not in the record."""
+    found = manoeuvres.found(Lacking(
+        Carded(slice(0)), numpy.r_[0:503, 552:1_000]))
+    assert [(each.begin, each.reason) for each in found] == [
+        (10.0, manoeuvres.NOT_JUDGED)]
+
+
+def test_gnd61_surfaces_before_a_gap_are_not_the_rest_of_a_card():
+    """The surfaces of 0.5 s before switch 5 count; older ones may have had
+    another trim."""
+    flight = Carded(slice(0))
+    values = flight.values
+    flight.values = lambda name: values(name) + 1.0 * (
+        name.endswith("rudder") & (flight.seconds < 9.0))
+    found = manoeuvres.found(Lacking(
+        flight, numpy.r_[0:450, 497:1_000]))
+    assert [each.axes for each in found] == [("longitudinal",)]
 
 
 def test_gnd61_switch_5_without_a_card_is_no_manoeuvre():

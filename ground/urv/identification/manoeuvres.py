@@ -46,6 +46,9 @@ LONGEST_GIVEN_S = 120
 
 MOST = 200
 
+ROWS_AT_ONCE = 10_000
+"""For the rest of a stick: a damaged record may lack nearly all rows."""
+
 GROUPS = ("console", "gsc.uplink", "mcs.uplink")
 """Groups of columns with the sticks, best first."""
 
@@ -72,12 +75,11 @@ def by_sticks(flight) -> list[Manoeuvre]:
     if group is None:
         return []
     moved = {axis: numpy.zeros(flight.rows, bool) for axis in AXES}
-    size = min(round(REST_S / packets.FRAME_S), flight.rows) | 1
     for axis, sticks in AXES.items():
         for stick in sticks:
             values = numpy.asarray(flight.values(f"{group}.{stick}"))
-            rest = ndimage.median_filter(values, size, mode="nearest")
-            moved[axis] |= abs(values - rest) > MOVED_PERCENT
+            moved[axis] |= abs(
+                values - rests(flight.seconds, values)) > MOVED_PERCENT
     rows = numpy.flatnonzero(sum(moved.values()))
     if not len(rows):
         return []
@@ -97,6 +99,26 @@ def by_sticks(flight) -> list[Manoeuvre]:
             tuple(axis for axis in AXES if moved[axis][run].any()),
             "sticks"))
     return found[:MOST]
+
+
+def rests(seconds, values):
+    """The median of the values over REST_S around each row. A missing row
+    counts as the nearest one, so that this is a time and no number of rows."""
+    size = round(REST_S / packets.FRAME_S) | 1
+    # No row sees further than a window across a gap.
+    frames = numpy.r_[0, numpy.cumsum(numpy.clip(numpy.rint(
+        numpy.diff(seconds) / packets.FRAME_S), 1, size).astype(int))]
+    size = min(size, frames[-1] + 1) | 1
+    middles = (frames[:-1] + frames[1:] + 1) // 2
+    found = numpy.empty(len(values))
+    for first in range(0, len(values), ROWS_AT_ONCE):
+        rows = slice(first, first + ROWS_AT_ONCE)
+        wanted = numpy.arange(frames[rows][0] - size // 2,
+                              frames[rows][-1] + size // 2 + 1)
+        found[rows] = ndimage.median_filter(
+            values[numpy.searchsorted(middles, wanted, "right")],
+            size)[frames[rows] - wanted[0]]
+    return found
 
 
 SWITCH = "switch5"
@@ -136,6 +158,7 @@ def by_cards(flight) -> list[Manoeuvre]:
                 for stick in sticks):
             continue
         rest = slice(max(row - round(LEAD_S / packets.FRAME_S), 0), row + 1)
+        is_rest = seconds[rest] >= seconds[row] - LEAD_S - 1e-6
         moved = {axis: numpy.zeros(last - row + 1, bool) for axis in AXES}
         is_hidden = False
         for axis, names in SURFACES.items():
@@ -143,9 +166,11 @@ def by_cards(flight) -> list[Manoeuvre]:
                 for side in ("left", "right"):
                     values = numpy.asarray(
                         flight.values(f"{downlink}.{side}_{name}"))
-                    known = values[rest][~numpy.isnan(values[rest])]
+                    known = values[rest][
+                        is_rest & ~numpy.isnan(values[rest])]
                     is_hidden |= not len(known) or longest_gap_s(
-                        values[rows]) > measurements.LONGEST_GAP_S + 1e-6
+                        seconds[rows], values[rows]
+                    ) > measurements.LONGEST_GAP_S + 1e-6
                     # A comparison with NaN is false: a gap moves nothing.
                     if len(known):
                         moved[axis] |= abs(values[rows] - numpy.median(
@@ -166,11 +191,12 @@ def by_cards(flight) -> list[Manoeuvre]:
     return found[:MOST]
 
 
-def longest_gap_s(values) -> float:
-    """The longest time without a value."""
-    known = numpy.flatnonzero(~numpy.isnan(values))
-    steps = numpy.diff(numpy.r_[-1, known, len(values)])
-    return (steps.max() - 1) * packets.FRAME_S
+def longest_gap_s(seconds, values) -> float:
+    """The longest time without a value; rows may be missing, too."""
+    known = seconds[~numpy.isnan(values)]
+    steps = numpy.diff(numpy.r_[seconds[0] - packets.FRAME_S, known,
+                                seconds[-1] + packets.FRAME_S])
+    return steps.max() - packets.FRAME_S
 
 
 FINDERS = (by_cards, by_sticks)
