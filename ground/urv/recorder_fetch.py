@@ -15,6 +15,7 @@ import secrets
 import socket
 import threading
 import time
+from collections.abc import Callable
 
 from urv import faults, packets, recorder_blocks, station
 
@@ -139,14 +140,16 @@ class Fetch:
         if self.rows.report.answer == 1:
             raise faults.Failed(f"refused: {recorder_blocks.ANSWERS[1]}")
 
-    def run(self) -> None:
-        """Asks until no row is missing; reason says why one still is."""
+    def run(self, begins: Callable[[int], None] = lambda _many: None) -> None:
+        """Asks until no row is missing; reason says why one still is. Calls
+        begins with the number of wanted rows before it asks for any."""
         self.look()
         report = self.rows.report
         end = report.first + report.held
         first = report.first
         if self.last is not None:
             first = max(first, end - max(1, round(self.last * FRAMES_PER_S)))
+        begins(end - first)
         if self.rows.rows:
             self._recognise(end - 1)
         self.first, self.end = first, end

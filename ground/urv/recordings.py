@@ -162,6 +162,11 @@ def write(path: Path, rows) -> None:
             file.write(line_of(words))
 
 
+def size_of(many: int) -> int:
+    """The bytes of a recording of this number of rows."""
+    return len(TITLE) + 1 + many * (4 * WORDS + 1)
+
+
 def _names(group):
     return [column for column in items.COLUMNS
             if column.startswith(group + ".")]

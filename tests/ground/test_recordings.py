@@ -2,7 +2,12 @@
 """FTI-10, FTI-11: rows of the flight recorder at the ground: blocks that are
 damaged, files that are not whole, and the packets."""
 
+import errno
+import os
 import random
+import re
+import tempfile
+from types import SimpleNamespace
 
 import pytest
 from conftest import run_measured
@@ -320,6 +325,74 @@ def test_fti10_a_fetch_that_ends_early_keeps_its_rows(
     assert said.out == f"{len(kept)} of 300 rows fetched, 0 to 299\n"
     assert (f"{300 - len(kept)} rows are missing ({len(kept) - 1} to 298): "
             in said.err + str(ended.value))
+
+
+class Whole(Ended):
+    """Answers to the end, and then does something."""
+
+    def __init__(self, rows, at_end=lambda: None):
+        super().__init__(rows, None)
+        self.left, self.at_end = 10_000, at_end
+
+    def __exit__(self, *_):
+        self.at_end()
+
+
+def full(monkeypatch, folders):
+    """Files in these folders find no room from now on."""
+    write = recordings.write
+
+    def fails(path, rows):
+        if path.resolve().parent in folders:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        write(path, rows)
+    monkeypatch.setattr(recordings, "write", fails)
+
+
+@pytest.mark.parametrize("has_other", [True, False])
+def test_fti10_a_disk_that_is_full_at_the_end_costs_no_rows_without_a_word(
+        tmp_path, monkeypatch, has_other):
+    """A fetch of all rows takes an hour."""
+    chance = random.Random(4)
+    aboard = [row_of(number, chance) for number in range(300)]
+    own, other = tmp_path / "own", tmp_path / "other"
+    own.mkdir()
+    other.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(other))
+    node = Whole(aboard, lambda: full(
+        monkeypatch, [own] if has_other else [own, other]))
+    monkeypatch.setattr(recorder_fetch, "Node", lambda _console: node)
+    file = own / "a.recording"
+    with pytest.raises(faults.Failed) as ended:
+        recorder.fetch(file, "udp:127.0.0.1:6004", None)
+    said = str(ended.value)
+    assert said.startswith(
+        f'"{file}" cannot be written: No space left on device; the 300 fetched'
+        " rows are ")
+    assert not any(own.iterdir())
+    found = [*other.iterdir()]
+    if has_other:
+        assert said.endswith(f'rows are in "{found[0]}"')
+        assert recordings.Recording(found[0]).rows == aboard
+    else:
+        assert "rows are lost, since " in said
+        assert not found
+
+
+def test_fti10_a_disk_without_room_for_the_rows_is_reported_before_them(
+        tmp_path, monkeypatch):
+    chance = random.Random(4)
+    node = Whole([row_of(number, chance) for number in range(300)])
+    monkeypatch.setattr(recorder_fetch, "Node", lambda _console: node)
+    monkeypatch.setattr(os, "statvfs", lambda _folder: SimpleNamespace(
+        f_bavail=21, f_frsize=4096))
+    with pytest.raises(faults.Failed, match=re.escape(
+            "its disk has room for 86,016 bytes, the recording has 86,716")):
+        recorder.fetch(tmp_path / "a.recording", "udp:127.0.0.1:6004", None)
+    # Only the recorder's state was asked for.
+    assert node.left > 9_990
+    recordings.write(tmp_path / "b.recording", node.rows.values())
+    assert (tmp_path / "b.recording").stat().st_size == 86_716
 
 
 def test_fti10_an_interruption_before_the_first_row_leaves_no_file(
