@@ -308,6 +308,34 @@ def test_gnd21_keys_mouse_and_switches_fly(station, pages):
     assert station.state()["holder"] is None
 
 
+LONGEST = """
+window.longest = 0;
+const push = Array.prototype.push;
+Array.prototype.push = function (...given) {
+  const length = push.apply(this, given);
+  if (given[0] instanceof Array && typeof given[0][1] === "number") {
+    window.longest = Math.max(window.longest, length);
+  }
+  return length;
+};
+"""
+
+
+def test_gnd36_a_hidden_page_keeps_no_states(station, pages):
+    """It kept each, 90,000 an hour, and dropped them one by one in the end."""
+    page = pages.open(script=LONGEST)
+    page.evaluate("window.requestAnimationFrame = () => 0")
+    # As when it is hidden: states come, and nothing is drawn.
+    page.evaluate("""() => {
+      Object.defineProperty(document, "hidden", {get: () => true,
+        configurable: true});
+      document.dispatchEvent(new Event("visibilitychange"));
+    }""")
+    first = station.state()["seq"]
+    station.wait(lambda state: state["seq"] > first + 400, "400 frames")
+    assert 1 < page.evaluate("window.longest") < 100
+
+
 def test_gnd50_each_switch_says_what_it_does_and_whether_it_can(
         station, pages):
     page = pages.open()

@@ -83,7 +83,7 @@ function connect() {
       came = performance.now();
       waited = clock.age(message.sent_ms ?? came, came);
       hands.heard = came;
-      left.push([came, message.left_out]);
+      keep_left(message.left_out);
       if (hello) draw_soon();
       // A hidden page is not drawn, but must not be old when it becomes
       // visible.
@@ -245,11 +245,21 @@ function show_status(value, lost, silent) {
   archive.classList.toggle("caution", state.archive?.lost ?? false);
 }
 
+// A hidden page is not drawn, but its states come.
+function keep_left(left_out) {
+  left.push([came, left_out]);
+  drop_left();
+}
+
+function drop_left() {
+  const now = performance.now();
+  while (left.length > 2 && now - left[1][0] > SECOND) left.shift();
+}
+
 // The number of states omitted in the last second, because this page or the
 // network is too slow for them: the page still shows the newest.
 function show_slow() {
-  const now = performance.now();
-  while (left.length > 2 && now - left[1][0] > SECOND) left.shift();
+  drop_left();
   const out = there && left.length > 0 ? left.at(-1)[1] - left[0][1] : 0;
   byId("slow").hidden = out < SLOW;
   if (out >= SLOW) {
