@@ -308,6 +308,58 @@ def test_gnd21_keys_mouse_and_switches_fly(station, pages):
     assert station.state()["holder"] is None
 
 
+def held_mouse(station, page, button="left"):
+    """The mouse holds the right stick to the right."""
+    box = page.locator("#right_stick").bounding_box()
+    at = (box["x"] + box["width"] * 0.75, box["y"] + box["height"] / 2)
+    page.mouse.move(*at)
+    page.mouse.down(button=button)
+    return at
+
+
+def stays(station, word, packets=25):
+    """The roll stick, for a number of packets."""
+    first = len(station.node.heard)
+    until(lambda: len(station.node.heard) >= first + packets, "packets")
+    assert {packet.words[0] for _, packet
+            in station.node.heard[first:]} == {word}
+
+
+def test_gnd22_a_release_that_the_page_does_not_see_holds_no_stick(
+        station, pages):
+    """The window loses its focus, a menu opens, or the system hides the
+    release of a key."""
+    page = pages.open()
+    take_sticks(page)
+    heard = station.node.heard
+    until(lambda: heard, "a console packet")
+    # A menu takes the release of this button.
+    held_mouse(station, page, "right")
+    stays(station, 2048)
+    page.mouse.up(button="right")
+    x, y = held_mouse(station, page)
+    until(lambda: heard[-1][1].words[0] > 2800, "right")
+    page.evaluate("dispatchEvent(new Event('blur'))")
+    until(lambda: heard[-1][1].words[0] == 2048, "let go")
+    page.mouse.move(x + 3, y)
+    stays(station, 2048)
+    page.mouse.up()
+    held_mouse(station, page)
+    until(lambda: heard[-1][1].words[0] > 2800, "right")
+    page.locator("#right_stick").dispatch_event(
+        "pointermove", {"buttons": 0})
+    until(lambda: heard[-1][1].words[0] == 2048, "let go")
+    page.mouse.up()
+    for script in ("new KeyboardEvent('keyup', {key: 'Meta'})",
+                   "new MouseEvent('contextmenu', {cancelable: true})"):
+        page.keyboard.down("ArrowRight")
+        until(lambda: heard[-1][1].words[0] == 3072, "half a roll")
+        may_open = page.evaluate(f"window.dispatchEvent({script})")
+        until(lambda: heard[-1][1].words[0] == 2048, "the middle")
+        assert may_open == ("Meta" in script)
+        page.keyboard.up("ArrowRight")
+
+
 LONGEST = """
 window.longest = 0;
 const push = Array.prototype.push;

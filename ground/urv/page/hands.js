@@ -167,26 +167,42 @@ export class Hands {
       return to(clamp(point.x / PAD, -1, 1), clamp(point.y / PAD, -1, 1));
     };
     root.addEventListener("pointerdown", (event) => {
-      if (!this.holding || isOld(event)) return;
+      // Another button opens a menu, and the page does not see its release.
+      if (!this.holding || isOld(event) || event.button !== 0) return;
       root.setPointerCapture(event.pointerId);
       this.dragged.set(root, at(event));
-    });
-    root.addEventListener("pointermove", (event) => {
-      if (this.dragged.has(root)) this.dragged.set(root, at(event));
     });
     const end = () => {
       if (this.dragged.delete(root)) {
         for (const axis of back) this.stick[axis] = 0;
       }
     };
+    root.addEventListener("pointermove", (event) => {
+      // The button was released where the page did not see it.
+      if (event.buttons === 0) end();
+      if (this.dragged.has(root)) this.dragged.set(root, at(event));
+    });
     root.addEventListener("pointerup", end);
     root.addEventListener("pointercancel", end);
     root.addEventListener("lostpointercapture", end);
+    addEventListener("blur", end);
   }
 
   listen() {
     addEventListener("keydown", (event) => this.key(event));
-    addEventListener("keyup", (event) => this.keys.delete(named(event)));
+    addEventListener("keyup", (event) => {
+      this.keys.delete(named(event));
+      // Some systems hide the release of a key while this one is held. A key
+      // that is still held repeats.
+      if (event.key === "Meta") this.keys.clear();
+    });
+    // A menu takes the keys, and the page does not see their release.
+    addEventListener("contextmenu", (event) => {
+      this.keys.clear();
+      if (this.holding && !event.target.matches?.("input")) {
+        event.preventDefault();
+      }
+    });
     addEventListener("blur", () => this.keys.clear());
     // When the page is hidden, for whatever reason, its sticks fall silent.
     document.addEventListener("visibilitychange", () => {
