@@ -387,6 +387,65 @@ def test_gnd62_the_propellers_spin_is_not_taken_for_aerodynamics():
             own.prior[name], rel=0.15), name
 
 
+def pitching(model, own, record):
+    """A record of elevator doublets, computed with the prior derivatives."""
+    times = STEP_S * numpy.arange(300)
+    level = numpy.zeros(300)
+    alpha = level + numpy.radians(2.4)
+    part = measurements.Segment(
+        times, {**dict.fromkeys(("p", "q", "r", "phi", "beta", "ay"), level),
+                "elevator": 0.02 * numpy.sign(numpy.sin(6.0 * times)),
+                "alpha": alpha, "theta": alpha,
+                "ax": own.gravity * numpy.sin(alpha),
+                "az": -own.gravity * numpy.cos(alpha),
+                "airspeed": level + 118.0},
+        numpy.ones(300, bool), level + 1.0, record)
+    problem = output_error.Problem(model, [part])
+    truth = own.prior | {
+        f"Cm_0/{record}/0": -own.prior["Cm_alpha"] * alpha[0],
+        f"CZ_0/{record}/0": own.mass * part["az"][0] / own.wing_area
+        / model.pressure_and_speed(part)[0][0]
+        - own.prior["CZ_alpha"] * alpha[0]}
+    out, _ = problem.integrate(numpy.array([
+        truth.get(name, value) for name, value in zip(
+            problem.names, problem.start, strict=True)]), False)
+    chance = numpy.random.default_rng(record)
+    return part.with_signals(**{
+        name: values + chance.normal(0, size, 300)
+        for name, values, size in zip(
+            model.outputs, out[:, :, 0], (5e-4, 1e-3, 1e-3, 0.03),
+            strict=True)})
+
+
+@pytest.mark.parametrize("airspeed_ft_s, delays_ms", [(6.0, 0.01),
+                                                      (0.01, 20.0)])
+def test_gnd62_more_records_make_common_errors_no_smaller(
+        airspeed_ft_s, delays_ms):
+    """One probe and one aircraft fly all of them: of 50 records the interval
+    of a derivative was a seventh, and did not contain the truth."""
+    own = dataclasses.replace(
+        aircraft.read(), delays={}, delays_deviation=delays_ms / 1e3)
+    many = 4
+    model = airframes.Longitudinal(own, {
+        "airspeed": dict.fromkeys(range(many), airspeed_ft_s),
+        "alpha": dict.fromkeys(range(many), 0.001)})
+    parts = [pitching(model, own, record) for record in range(many)]
+    fixed = {f"{name}_speed": 0.0 for name in model.coefficients}
+
+    def fit_of(segments):
+        problem = output_error.Problem(model, segments, fixed)
+        analysis.begin(problem, model, equation_error.regress(
+            model, segments), segments)
+        return output_error.estimate(problem)
+
+    one, all_of_them = fit_of(parts[:1]), fit_of(parts)
+    name = "Cm_elevator"
+    assert all_of_them.noise_deviations[name] < (
+        0.7 * one.noise_deviations[name])
+    assert one.deviations[name] > 3.0 * one.noise_deviations[name]
+    assert all_of_them.deviations[name] > 0.85 * one.deviations[name]
+
+
 def test_gnd62_a_gap_in_the_data_counts_for_nothing():
     whole = oscillation(3, 0.0)
     hurt = []

@@ -36,6 +36,9 @@ SPIN_PER_S = 0.5
 its standard deviation before the flight. It turns pitch into yaw and yaw into
 pitch."""
 
+AIRSPEED_ERROR = "airspeed's constant error"
+"""In deviations of each record's constant error: a parameter."""
+
 LEAST_ERROR = {"airspeed": 1e-3, "alpha": 1e-5}
 """Least deviations of constant errors, ft/s and rad."""
 
@@ -80,16 +83,18 @@ class Airframe:
               for name in self.coefficients),
             *self.errors,
             Parameter(SPIN, RECORD, 0.0, 0.01, prior=(0.0, SPIN_PER_S)),
-            Parameter("airspeed error", RECORD, 0.0, 0.5, is_input=True,
-                      is_considered=True),
-            Parameter("surfaces' delay", RECORD, 0.0, 0.002, is_input=True,
+            # One probe and one aircraft fly all records: more records make
+            # these no smaller.
+            Parameter(AIRSPEED_ERROR, ALL, 0.0, 1.0, is_input=True,
+                      prior=(0.0, 1.0), is_considered=True),
+            Parameter("surfaces' delay", ALL, 0.0, 0.002, is_input=True,
                       prior=none, is_considered=True),
-            Parameter("moments' delay", RECORD, 0.0, 0.002, is_input=True,
+            Parameter("moments' delay", ALL, 0.0, 0.002, is_input=True,
                       prior=(self.moments_delay, aircraft.delays_deviation),
                       is_considered=True),
-            Parameter("airflow's delay", RECORD, 0.0, 0.002,
+            Parameter("airflow's delay", ALL, 0.0, 0.002,
                       prior=none, is_considered=True),
-            Parameter("accelerations' delay", RECORD, 0.0, 0.002,
+            Parameter("accelerations' delay", ALL, 0.0, 0.002,
                       prior=none, is_considered=True))
         self.place = {each.name: number
                       for number, each in enumerate(self.parameters)}
@@ -107,8 +112,12 @@ class Airframe:
     def prior(self, parameter, record):
         name, _, kind = parameter.name.partition(" ")
         if kind == "error":
-            return 0.0, max(self.deviations[name][record], LEAST_ERROR[name])
+            return 0.0, self.deviation(name, record)
         return parameter.prior
+
+    def deviation(self, name, record):
+        """Of a sensor's constant error in a record."""
+        return max(self.deviations[name][record], LEAST_ERROR[name])
 
     def measured(self, segment: Segment):
         return numpy.array([segment[name] for name in self.outputs])
@@ -119,7 +128,8 @@ class Airframe:
     def inputs(self, segment, times, values):
         """Signals, then true airspeed and dynamic pressure, then surfaces,
         then the share by which the airspeed exceeds its mean."""
-        error = values[self.place["airspeed error"]]
+        error = (values[self.place[AIRSPEED_ERROR]]
+                 * self.deviation("airspeed", segment.record))
         delay = (values[self.place["surfaces' delay"]]
                  - values[self.place["moments' delay"]])
         calibrated = numpy.interp(
