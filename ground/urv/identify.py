@@ -36,13 +36,13 @@ def identify(
 ):
     """Estimate stability and control derivatives from flights.
 
-    Prints each derivative with its 95 % interval.
+    Prints each derivative with its 95 % interval, and cautions.
     """
     # The arrays are small: more threads only wait for each other.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     from urv import flights, input_files, progress, whole_files
     from urv.identification import aircraft as aircraft_file
-    from urv.identification import analysis, linear, page
+    from urv.identification import analysis, cautions, linear, page
     from urv.identification import manoeuvres as finding
 
     if len(records) > MOST_RECORDS:
@@ -66,7 +66,8 @@ def identify(
                             " memory than there is: give fewer") from fault
     if all(axis.fit is None for axis in result.axes.values()):
         raise faults.Refused(no_result(result))
-    for line in lines(result):
+    for line in [*lines(result), *(f"caution: {each}" for each
+                                   in cautions.of(result, own))]:
         print(line)
     if json:
         with whole_files.replacing(json) as path:
@@ -91,7 +92,7 @@ def no_result(result):
     return f"{where}: " + (
         f"no usable manoeuvre; at {'; at '.join(dict.fromkeys(reasons))}"
         if reasons else "no manoeuvre: no stick moves by more than 2 % from"
-        " its rest; --manoeuvres gives times")
+        " its rest for 0.1 to 60 s; --manoeuvres gives times")
 
 
 def lines(result):

@@ -23,6 +23,7 @@ from urv.identification import (
     aircraft,
     airframes,
     analysis,
+    cautions,
     compatibility,
     equation_error,
     manoeuvres,
@@ -549,6 +550,107 @@ def test_gnd63_the_report_is_one_page_that_needs_no_network(identified):
     said = (identified / "said.txt").read_text("utf-8")
     for name in MAIN:
         assert f"  {name} " in said
+
+
+class Switched:
+    """A flight with the sign of a sensor switched."""
+
+    def __init__(self, flight, sensor):
+        self.flight, self.switched = flight, sensor
+
+    def __getattr__(self, name):
+        return getattr(self.flight, name)
+
+    def sensor(self, name):
+        values = self.flight.sensor(name)
+        return -values if name == self.switched else values
+
+
+@pytest.mark.parametrize("sensor, axis, cautioned", [
+    ("roll_rate", "lateral", "the roll attitude contradicts the rates"),
+    ("pitch_attitude", "longitudinal",
+     "the pitch attitude contradicts the rates"),
+    ("beta", "lateral", "beta has a factor of -"),
+    ("left_elevator", "longitudinal", None)])
+def test_gnd63_a_switched_sign_is_reported(flown, sensor, axis, cautioned):
+    """It made confident numbers: Cl_aileron of -0.15, in place of 0.15."""
+    from urv import flights
+    flight = flights.read(flown / "record.csv", lambda _record: None)
+
+    def some(flight):
+        return [each for each in manoeuvres.found(flight)
+                if each.axes == (axis,)][:3]
+    own = aircraft.read()
+    result = analysis.identify([Switched(flight, sensor)], own, (some,))
+    said = cautions.of(result, own)
+    if cautioned is None:
+        # Only one of the elevators: the mean of both hardly moves.
+        assert not any("contradicts" in each for each in said)
+        return
+    assert any(cautioned in each for each in said), said
+    assert not any(each.is_determined for each
+                   in result.axes[axis].derivatives.values())
+
+
+def test_gnd63_a_sound_flight_has_no_caution(identified):
+    result = json.loads((identified / "result.json").read_text("utf-8"))
+    assert result["cautions"] == []
+    assert "caution: " not in (identified / "said.txt").read_text("utf-8")
+
+
+def derived(name, value, half, prior):
+    return analysis.Derivative(name, value, value - half, value + half, 0.0,
+                               value, prior, True)
+
+
+def judged(derivatives, known=None, inequality=None):
+    """The cautions of a result with these parts."""
+    flown = analysis.Flown(manoeuvres.Manoeuvre(0.0, 1.0, ("lateral",)), 0)
+    flown.inequality = inequality or {}
+    return cautions.of(analysis.Result(["a.csv"], [known], {
+        "lateral": analysis.Axis(
+            "lateral", ("beta", "phi"), [flown],
+            {each.name: each for each in derivatives})}), aircraft.read())
+
+
+def sensors(**changed):
+    return SimpleNamespace(**({"contradictions": [], "is_rough": False,
+                               "found": []} | changed))
+
+
+def test_gnd63_a_record_without_manoeuvres_is_named():
+    assert judged([]) == ['"a.csv": no usable manoeuvre']
+    assert judged([], sensors()) == []
+
+
+def test_gnd63_rough_air_and_poor_fits_are_reported():
+    rough, poor = judged([], sensors(is_rough=True),
+                         {"beta": 0.1, "phi": 0.35})
+    assert rough.startswith('"a.csv": the air is rough: ')
+    assert poor == ("lateral: the model does not follow phi in 1 of 1"
+                    " manoeuvres: fit up to 0.35; below 0.3 is good")
+
+
+def test_gnd63_a_sign_that_no_aircraft_has_is_reported():
+    assert judged([derived("Cl_aileron", -0.15, 0.01, None),
+                   derived("Cl_p", -0.45, 0.01, None),
+                   derived("Cn_rudder", -0.01, 0.02, None)], sensors()) == [
+        "Cl_aileron is negative: is the sign of a surface or of a sensor"
+        " wrong?"]
+
+
+def test_gnd63_priors_of_another_aircraft_are_reported():
+    own = [derived("CY_beta", -0.5, 0.01, -0.51),
+           derived("Cl_beta", -0.13, 0.01, -0.2),
+           derived("Cl_p", -0.45, 0.01, -0.46),
+           derived("Cn_r", -0.12, 0.001, -0.14)]
+    assert judged(own, sensors()) == []
+    other = [*own[:1], derived("Cl_p", -0.2, 0.01, -0.45),
+             *(derived(name, 0.05, 0.01, 0.1)
+               for name in ("Cn_beta", "Cl_r"))]
+    said, = judged(other, sensors())
+    assert said.startswith(
+        "3 of 4 prior values differ by more than 20% and are outside")
 
 
 def test_gnd65_the_linear_model_is_that_of_the_derivatives(identified):

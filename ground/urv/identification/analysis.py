@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy
 from scipy import stats
@@ -30,6 +30,12 @@ error of the model then moves the estimate by more than its interval."""
 
 CLOSE = 0.95
 """A correlation of two derivatives of which only a sum is known."""
+
+NO_FIT = 0.6
+"""Theil's coefficient of a model that does not follow an output at all."""
+FOLLOWS_NOTHING = "the model does not follow the flight"
+
+CONTRADICTION = "sensors of record {} contradict each other"
 
 NO_MANOEUVRES = "no manoeuvre moves this axis"
 
@@ -133,6 +139,7 @@ def identify(flights, aircraft, finders=manoeuvres.FINDERS,
         flown = [Flown(each.manoeuvre, each.record, each.segment, each.reason)
                  for each in parts if kind.axis in each.manoeuvre.axes]
         axes[kind.axis] = of_axis(kind(aircraft, deviations), flown, hold_out)
+        doubt(axes[kind.axis], checks)
     return Result([str(flight.path) for flight in flights], checks, axes)
 
 
@@ -163,6 +170,23 @@ def of_axis(airframe, flown, hold_out) -> Axis:
     validate(airframe, fit, fixed,
              [each for each in usable if each.is_for_validation])
     return result
+
+
+def doubt(axis, checks):
+    """No interval contains an error of the record."""
+    wrong = sorted({each.record for each in axis.flown if each.segment
+                    and checks[each.record].contradictions})
+    fits = [min(each.inequality.values()) for each in axis.flown
+            if each.inequality]
+    if wrong:
+        reason = CONTRADICTION.format(wrong[0] + 1)
+    elif fits and numpy.median(fits) >= NO_FIT:
+        reason = FOLLOWS_NOTHING
+    else:
+        return
+    for name, each in axis.derivatives.items():
+        axis.derivatives[name] = replace(
+            each, is_determined=False, reason=each.reason or reason)
 
 
 def begin(problem, airframe, start, segments):

@@ -53,6 +53,17 @@ ATTITUDE = {"phi": 0.5 * DEG, "theta": 0.5 * DEG}
 """Standard deviations of the attitudes' constant errors, which are taken for
 0: a usual mounting and a usual vertical gyro (D-90)."""
 
+CONTRADICTED = {
+    "phi": (DEG, "the roll attitude contradicts the rates"),
+    "theta": (DEG, "the pitch attitude contradicts the rates"),
+    "altitude": (3.0, "the altitude contradicts the accelerations"),
+    "airspeed": (KT, "the airspeed contradicts the accelerations")}
+"""Outputs with the deviation from which on they move. Gusts move the airspeed,
+but none of the others."""
+CONTRADICTORY = 0.5
+"""The share of an output's movement from which on its residual is an error of
+the record: that of a sound record is below 0.05."""
+
 SHOWN = {"ft/s2": ("g", 1.0 / GRAVITY), "rad/s": ("deg/s", 1.0 / DEG),
          "rad": ("deg", 1.0 / DEG), "ft/s": ("kt", 1.0 / KT)}
 
@@ -181,6 +192,8 @@ class Compatibility:
     """Standard deviation of the airspeed's constant error, ft/s."""
     alpha_deviation: float
     """Standard deviation of alpha's constant error, rad."""
+    contradictions: list[str]
+    """Sensors that contradict each other by more than errors of sensors."""
 
     @property
     def by_name(self) -> dict[str, Found]:
@@ -202,6 +215,24 @@ def roughness(model, fit, segments):
         found.append(numpy.sqrt(squares) / max(
             numpy.sqrt(size).sum(), 1e-12))
     return max(found)
+
+
+def contradictions(model, fit, segments, is_rough):
+    """In words."""
+    found = []
+    for row, name in enumerate(model.outputs):
+        if name not in CONTRADICTED or (is_rough and name == "airspeed"):
+            continue
+        least, text = CONTRADICTED[name]
+        moved, left, count = 0.0, 0.0, 0
+        for part, residuals in zip(segments, fit.residuals, strict=True):
+            measured = model.measured(part)[row][part.is_fresh]
+            moved += ((measured - measured.mean()) ** 2).sum()
+            left += (residuals[row] ** 2).sum()
+            count += len(measured)
+        if moved > count * least ** 2 and left > CONTRADICTORY ** 2 * moved:
+            found.append(text)
+    return found
 
 
 def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
@@ -234,7 +265,8 @@ def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
     return Compatibility(
         found, fit, segments, is_rough,
         *(min(fit.deviations[f"bias {name}/{record}"], BIASES[name][1])
-          for name in ("airspeed", "alpha")))
+          for name in ("airspeed", "alpha")),
+        contradictions(model, fit, segments, is_rough))
 
 
 def needed(model, fit, record, is_rough):

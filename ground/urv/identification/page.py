@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy
 
 from urv import report_page
-from urv.identification import analysis, compatibility
+from urv.identification import analysis, cautions, compatibility
 from urv.identification.measurements import GRAVITY
 
 OWN = Path(__file__).parent
@@ -35,8 +35,6 @@ LABELS = {"alpha": "alpha", "beta": "beta", "phi": "bank",
 
 SURFACES = {"longitudinal": ("elevator",), "lateral": ("aileron", "rudder")}
 
-GOOD_INEQUALITY = 0.3
-
 
 def as_json(result: analysis.Result, aircraft) -> str:
     """Everything but the signals. A number that is not known is null."""
@@ -47,6 +45,7 @@ def as_json(result: analysis.Result, aircraft) -> str:
         "aircraft": aircraft.name,
         "level": analysis.LEVEL,
         "records": result.records,
+        "cautions": cautions.of(result, aircraft),
         "rough_air": [known is not None and bool(known.is_rough)
                       for known in result.compatibility],
         "sensors": [
@@ -90,6 +89,7 @@ def page(result: analysis.Result, aircraft):
         "<header>\n<h1>Derivatives from flight</h1>\n"
         f"<p>Aircraft <b>{escape(aircraft.name)}</b>; records <b>{names}</b>"
         "</p>\n</header>\n<main>\n"]
+    body.append(_cautions(cautions.of(result, aircraft)))
     body += [_axis_text(axis) for axis in result.axes.values()]
     body += [_sensors(known, record, len(result.compatibility))
              for record, known in enumerate(result.compatibility)]
@@ -133,6 +133,14 @@ def _shown(path):
 
 def _number(value, digits=4):
     return f"{value:.{digits}f}" if math.isfinite(value) else "\N{EN DASH}"
+
+
+def _cautions(texts) -> str:
+    if not texts:
+        return ""
+    rows = "".join(f"<p>{report_page.mark('caution')} {escape(each)}</p>\n"
+                   for each in texts)
+    return f"<section>\n<h2>Cautions</h2>\n{rows}</section>\n"
 
 
 def _axis_text(axis: analysis.Axis) -> str:
@@ -195,7 +203,7 @@ def _fit(value):
     if value is None:
         return ""
     shown = f"{value:.3f}"
-    return (shown if value < GOOD_INEQUALITY
+    return (shown if value < cautions.GOOD_INEQUALITY
             else f"{report_page.mark('caution')} {shown}")
 
 
@@ -208,7 +216,7 @@ def _sensors(known: compatibility.Compatibility | None, record, many) -> str:
     rough = (
         f"<p>{report_page.mark('caution')} The air is rough: gusts hide scale"
         " factors and delays, and none is applied.</p>\n"
-        if known.is_rough else "")
+        if known.is_rough and not known.contradictions else "")
     rows = "".join(
         f"<tr><th scope=\"row\">{escape(each.name)}</th>"
         f"<td>{_number(each.value, 3)} {each.unit}</td>"
