@@ -409,10 +409,11 @@ class Aircraft:
                     -speed * FPS_PER_KT * share(math.radians(heading)))
 
     def stir(self):
-        """Turbulence begins when the aircraft has settled."""
-        if "turbulence" in self.conditions:
+        """Turbulence begins when the aircraft has settled. Without any wind
+        there is none; JSBSim's own table would still make light one."""
+        speed, = self.conditions.get("turbulence", (0.0,))
+        if speed > 0.0:
             fdm = self.fdm
-            speed, = self.conditions["turbulence"]
             for seed in self.conditions.get("seed", ()):
                 fdm["atmosphere/randomseed"] = seed
             fdm["atmosphere/turb-type"] = DRYDEN

@@ -70,6 +70,14 @@ def test_turbulence_is_that_of_the_seed(fly_so):
     assert statistics.pstdev(truth(rough[0], "alpha_deg")) > 0.3
 
 
+def test_sim4_turbulence_of_0_kt_is_calm_air(fly_so):
+    """Its altitude was 44 ft off after 10 s."""
+    calm, none = (fly_so(text, name=name) for text, name in (
+        ("# nothing\n", "a"), ("turbulence 0\n", "b")))
+    for name in ("altitude_ft", "bank_deg", "airspeed_kt"):
+        assert truth(calm, name) == truth(none, name)
+
+
 def test_ballast_is_carried(fly, fly_so):
     """More lift is needed, so more alpha: 10 per cent of 0.49 by 4.8."""
     calm = fly(*JSBSIM, "--seconds", 1, name="calm")
