@@ -118,6 +118,35 @@ def test_gnd52_another_gamepad_never_replaces_a_lost_one(pilot):
     pilot.do("pads[0].axes[2] = -1").until("roll", 0)
 
 
+@pytest.mark.parametrize("used, name, word", [
+    ("press(0, 7, true)", "brake", 4095),
+    ("pads[0].axes[1] = -1", "throttle", 4095)], ids=["brake", "throttle"])
+def test_gnd22_a_gamepad_that_only_braked_is_missed(pilot, used, name, word):
+    """Its loss let go of the brake, and the sticks went up as before."""
+    pilot.do(MAKE_STANDARD).told("flies by gamepad")
+    take_sticks(pilot.page)
+    pilot.do(used).until(name, word)
+    pilot.do("pads.pop()").source("gamepad lost, no sticks go up")
+    silent = pilot.station.wait(lambda state: not state["live"], "no sticks")
+    pilot.station.sends_nothing(silent, 25)
+
+
+def test_gnd52_a_chosen_gamepad_without_its_mapping_is_not_said_to_fly(
+        pilot):
+    pilot.page.evaluate(
+        "([id, text]) => localStorage.setItem(`urv.pad.${id}`, text)",
+        [YOKE, '{"roll": {"axis": 0, "sign": 1}, "pitch": {"axis": 1,'
+         ' "sign": 1}}'])
+    pilot.do(f"pads[0] = make('{YOKE}', 0, '', 5, 12)")
+    pilot.told("flies by gamepad")
+    take_sticks(pilot.page)
+    pilot.do("pads[0].axes[0] = 1").until("roll", 4095)
+    pilot.page.keyboard.press("g")
+    pilot.page.locator("#pad_list .forget").click()
+    pilot.until("roll", 2048)
+    pilot.source("gamepad not mapped any more, not used: press G")
+
+
 def test_gnd52_a_lost_gamepad_that_returns_counts_from_its_middle(pilot):
     pilot.do(MAKE_STANDARD).told("flies by gamepad")
     take_sticks(pilot.page)

@@ -337,11 +337,14 @@ export class Hands {
         if (lever) this.gamepads.armed.delete("throttle");
         else met = this.gamepads.lever(pad, "throttle", stick.throttle);
       } else {
-        lever += this.gamepads.centred(pad, "throttle", zone);
+        const moved = this.gamepads.centred(pad, "throttle", zone);
+        if (moved) this.pad_used = true;
+        lever += moved;
       }
-      brake = Math.max(brake, this.gamepads.brake(pad));
+      const pressed = this.gamepads.brake(pad);
+      brake = Math.max(brake, pressed);
       this.buttons(down);
-      if (axes.roll || axes.pitch || axes.yaw || met !== null) {
+      if (axes.roll || axes.pitch || axes.yaw || pressed || met !== null) {
         this.pad_used = true;
       }
     }
@@ -453,6 +456,11 @@ export class Hands {
         ? "\u25c6 several gamepads: press G to choose one"
         : isMapped(pads[0]) ? ""
           : "\u25c6 gamepad not mapped, not used: press G"];
+    }
+    const flying = pads.find((pad) => this.gamepads.isChosen(pad));
+    if (flying !== undefined && !isMapped(flying)) {
+      return ["caution", "\u25c6 gamepad not mapped any more, not used:"
+        + " press G"];
     }
     if (lost && others.length > 0) {
       return ["caution", "\u25c6 another gamepad, not used: press G to"
