@@ -87,7 +87,7 @@ def field_of(field):
     line = f"{name}: {', '.join(links)}\n"
     if len(line) <= 80:
         return line
-    wrapped = textwrap.fill(", ".join(links), 79)
+    wrapped = textwrap.fill(", ".join(links), 79, break_on_hyphens=False)
     return f"{name}: >>>\n{wrapped}\n<<<\n"
 
 

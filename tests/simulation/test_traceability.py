@@ -90,6 +90,15 @@ def test_a_planted_gap_is_found(planted_gaps, what):
     assert any(expected in gap for gap in planted_gaps), planted_gaps
 
 
+def test_evi1_renewed_links_break_no_name():
+    """Names of files have hyphens."""
+    name = "targets/mc68000/telemetry-shared_boards.adb"
+    for before in range(1, 80):
+        text = requirements_file.field_of(("CODE", ["x" * before, name]))
+        assert name in text
+        assert max(map(len, text.splitlines())) <= 80
+
+
 def test_strictdoc_shows_the_links_both_ways(tmp_path):
     html = tmp_path / "html"
     result = subprocess.run(
