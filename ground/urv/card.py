@@ -25,6 +25,7 @@ def check(
     """Check the cards and print each with its length, size and words."""
     from urv import cards, whole_files
 
+    whole_files.check_distinct({"--plot": plot}, {"FILE": file})
     read = cards.read(file)
     for each in read:
         for line in lines(each):
@@ -63,6 +64,8 @@ def programme(
     hands off, the card, recovery by the control laws, and the next one."""
     from urv import card_programme, cards, whole_files
 
+    whole_files.check_distinct({"--sticks": sticks, "--orders": orders},
+                               {"FILE": file})
     made = card_programme.of(cards.read(file))
     for path, text in ((sticks, made.sticks), (orders, made.orders)):
         with whole_files.replacing(path) as kept:

@@ -26,8 +26,7 @@ def convert(
     kind = target.suffix.lower()
     if kind not in records.KINDS:
         raise faults.Refused(f"{faults.quoted(target)}: {records.ENDINGS}")
-    if source.exists() and target.exists() and source.samefile(target):
-        raise faults.Refused("IN and OUT name the same file")
+    whole_files.check_distinct({"OUT": target}, {"IN": source})
     input_files.limit_memory()
     with records.opened(source, forgiving=True) as record, progress.bar(
             "converting") as told:

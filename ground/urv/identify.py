@@ -49,6 +49,11 @@ def identify(
         raise faults.Refused(f"there may be {MOST_RECORDS} records")
     if manoeuvres and len(records) > 1:
         raise faults.Refused("--manoeuvres has the times of one record")
+    whole_files.check_distinct(
+        {"--output": output, "--json": json, "--model": model},
+        {"--aircraft": aircraft, "--manoeuvres": manoeuvres,
+         **{f"RECORD {place}": each
+            for place, each in enumerate(records, 1)}})
     before = input_files.limit_memory()
     own = aircraft_file.read(aircraft or aircraft_file.DEFAULT)
     finders = ((finding.from_file(manoeuvres),) if manoeuvres

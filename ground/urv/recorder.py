@@ -119,6 +119,7 @@ def read(
         whole_files
 
     check_name(file)
+    whole_files.check_distinct({"FILE": file}, {"BLOCKS": blocks})
     rows = recorder_blocks.Rows()
     with input_files.opened_ascii(blocks) as source:
         while line := source.readline(4 * (recorder_blocks.BLOCK_WORDS + 1)

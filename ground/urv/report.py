@@ -31,6 +31,9 @@ def report(
     from urv import (flights, input_files, progress, report_page,
                      whole_files)
 
+    whole_files.check_distinct(
+        {"--output": output}, {"RECORD": record, "--compare": compare,
+                               "--events": events, "--summary": summary})
     input_files.limit_memory()
     with progress.bar("reading") as told:
         pages_events = flights.read_events(events) if events else []

@@ -74,6 +74,20 @@ def check(target):
                             f" {faults.reason(fault)}") from fault
 
 
+def check_distinct(outputs, inputs):
+    """Raises faults.Refused if an output has the file of an input or of another
+    output. Both map names of the command line to paths, or to None. Devices and
+    the program's own descriptors keep nothing, so they may come twice."""
+    outputs = [(name, path) for name, path in outputs.items() if path]
+    others = [(name, path) for name, path in inputs.items() if path]
+    for name, path in outputs:
+        for other, its_path in others:
+            if _same_file(path, its_path):
+                raise faults.Refused(f"{other} and {name} name the same file:"
+                                     f" {faults.quoted(path)}")
+        others.append((name, path))
+
+
 def refuse_link(path):
     """Raises an error if an output is a symbolic link."""
     if (not OWN_DESCRIPTOR.fullmatch(os.fspath(path))
@@ -87,6 +101,13 @@ def no_link(path, flags):
     if not OWN_DESCRIPTOR.fullmatch(os.fspath(path)):
         flags |= os.O_NOFOLLOW
     return os.open(path, flags, 0o666)
+
+
+def _same_file(left, right):
+    left, right = Path(left), Path(right)
+    if left.exists() and right.exists():
+        return _can_be_replaced(left) and left.samefile(right)
+    return left.resolve() == right.resolve()
 
 
 def _can_be_replaced(target):

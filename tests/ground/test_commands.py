@@ -174,3 +174,40 @@ def test_gnd10_what_has_a_first_line_for_it_can_be_run():
     for path in SCRIPTS:
         has_line = path.read_bytes().startswith(b"#!")
         assert os.access(path, os.X_OK) == has_line, path
+
+
+@pytest.mark.parametrize("arguments, named", [
+    ("report a.csv -o a.csv", "RECORD and --output"),
+    ("report b.csv --summary a.csv -o a.csv", "--summary and --output"),
+    ("report a.csv -o same.csv", "RECORD and --output"),
+    ("convert a.csv ./a.csv", "IN and OUT"),
+    ("identify b.csv a.csv --json a.csv", "RECORD 2 and --json"),
+    ("identify b.csv --json a.csv -o a.csv", "--output and --json"),
+    ("identify b.csv --json new --model ./new", "--json and --model"),
+    ("card check a.csv --plot a.csv", "FILE and --plot"),
+    ("card programme a.csv --sticks a.csv --orders b.csv",
+     "FILE and --sticks"),
+    ("card programme a.csv --sticks new --orders new",
+     "--sticks and --orders"),
+    ("recorder read a.recording a.recording", "BLOCKS and FILE"),
+])
+def test_gnd10_no_output_replaces_an_input_or_another_output(
+        urv, tmp_path, arguments, named):
+    """bin/urv report flight.csv -o flight.csv replaced the record."""
+    for name in ("a.csv", "b.csv", "a.recording"):
+        (tmp_path / name).write_text("frame,time_ms\n0,20\n", "utf-8")
+    os.link(tmp_path / "a.csv", tmp_path / "same.csv")
+    result = urv(*arguments.split())
+    assert (result.returncode, result.stdout) == (2, "")
+    assert result.stderr.startswith(f"urv: {named} name the same file: ")
+    assert len(result.stderr.splitlines()) == 1
+    assert {path.read_text("utf-8") for path in tmp_path.iterdir()} == {
+        "frame,time_ms\n0,20\n"}
+
+
+def test_gnd10_two_outputs_may_go_to_one_device(urv, tmp_path):
+    (tmp_path / "cards.toml").write_text(
+        '[[card]]\nkind = "step"\nmoves = ["pitch"]\namplitude_deg = 2\n'
+        "pulse_s = 0.4\n", "utf-8")
+    assert urv("card", "programme", "cards.toml", "--sticks", "/dev/null",
+               "--orders", "/dev/null").returncode == 0
