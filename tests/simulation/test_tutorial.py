@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The flight of docs/tutorial.md prints what the page shows (SIM-1), and the
-gain that it changes is there."""
+"""The flights of README.md and docs/tutorial.md print what the pages show
+(SIM-1), and the gain that the tutorial changes is there."""
 
 import re
 import subprocess
@@ -31,6 +31,24 @@ def test_sim1_the_flight_of_the_tutorial_prints_what_it_shows(tmp_path):
         stdout=subprocess.PIPE, timeout=TIME_LIMIT_S).stdout
     # All but the speed of this machine.
     assert printed.splitlines()[1:] == shown.splitlines()[1:]
+
+
+def test_sim1_the_standard_flight_prints_the_lines_of_the_readme():
+    if not has_jsbsim():
+        pytest.skip("JSBSim is not installed: make fly installs it")
+    readme = (ROOT / "README.md").read_text("utf-8")
+    shown = [line.strip() for line in
+             readme.partition("## Expected result")[2].splitlines()
+             if line.startswith("    ")
+             # The program prints neither make's lines nor the same speed.
+             and not line.strip().startswith(("fly:", "flown", "N passed"))]
+    assert len(shown) >= 8
+    printed = subprocess.run(
+        [PROGRAM, "fly", "--plant", "jsbsim", "--pilot", "standard"],
+        check=True, text=True, stdout=subprocess.PIPE,
+        timeout=TIME_LIMIT_S).stdout
+    assert [line for line in shown if line not in
+            map(str.strip, printed.splitlines())] == []
 
 
 def test_sim1_the_gain_of_the_tutorial_is_there():
