@@ -128,11 +128,13 @@ package body Host.Outputs is
       procedure Refuse_Output (Output : Output_Option) with No_Return;
 
       procedure Refuse_Output (Output : Output_Option) is
+         --  Before any other call changes it.
+         Error  : constant Integer := Errno;
          Reason : constant String :=
            (if Is_Symbolic_Link (Value (Chosen, Output))
               and then not Is_Own_Descriptor (Value (Chosen, Output))
             then "it is a symbolic link"
-            else Errno_Message);
+            else Errno_Message (Error));
       begin
          Give_Up (Attempts, Chosen);
          Refuse

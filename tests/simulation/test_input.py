@@ -398,6 +398,17 @@ def test_output_that_is_a_folder(refused, tmp_path):
                     " Is a directory")
 
 
+def test_sim1_the_reason_is_that_of_the_output_not_of_a_later_look(
+        refused, tmp_path):
+    """A missing file in a folder without write permission had the reason "No
+    such file or directory". Root may write there, but not to this name."""
+    (tmp_path / "folder").mkdir(mode=0o555)
+    name, reason = (("folder/out", "Permission denied") if os.geteuid()
+                    else ("new/", "Is a directory"))
+    said = refused("fly", "--seconds", "0.1", "--record", name)
+    assert said == f'urv_sim: --record: "{name}" cannot be created: {reason}'
+
+
 def test_what_existed_stays_when_another_output_fails(refused, write):
     # `refused` compares every file before and after.
     write("record.csv", "precious\n")
