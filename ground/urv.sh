@@ -7,7 +7,7 @@
 
 root=$(cd "$(dirname "$(readlink -f "$0")")/.." && pwd) || exit 1
 if [ ! -x "$root/.venv/bin/python" ]; then
-   echo "urv: there is no .venv; scripts/setup.sh ground makes it" >&2
+   echo "urv: there is no .venv; scripts/setup.sh page makes it" >&2
    exit 1
 fi
 exec "$root/.venv/bin/python" -I -B "$root/ground/urv/__main__.py" "$@"

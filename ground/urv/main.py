@@ -130,7 +130,10 @@ def missing(fault):
     what = (f"the package {fault.name} is missing"
             if isinstance(fault, ModuleNotFoundError) and fault.name
             else f"a package is missing ({' '.join(str(fault).split())})")
-    return f"{what}: scripts/setup.sh ground installs it"
+    # Only Yamcs itself needs more than page installs. The browser's package
+    # belongs to the tests.
+    target = "test" if fault.name == "playwright" else "page"
+    return f"{what}: scripts/setup.sh {target} installs it"
 
 
 def misused(fault):
