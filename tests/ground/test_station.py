@@ -967,6 +967,17 @@ def test_gnd23_bad_options_are_refused(urv, arguments):
     assert arguments[0] in result.stderr
 
 
+@pytest.mark.parametrize("name", ["file", "missing"])
+def test_fti13_recordings_without_a_folder_are_refused_at_the_start(
+        urv, tmp_path, name):
+    """The station started, and the first fetch of a minute was in vain."""
+    (tmp_path / "file").touch()
+    result = urv("station", "--seconds", "0.1", "--port", "0",
+                 "--frames", "udp:127.0.0.1:0", "--recordings", name)
+    assert (result.returncode, result.stderr) == (
+        2, f'urv: --recordings "{name}": there is no such folder\n')
+
+
 @pytest.mark.parametrize("said", [
     b"GET / HTTP/1.1\r\nHost: here\r\n\r\n\x00\x01\x02 no request\r\n\r\n",
     b"GET / HTTP/1.1\r\nno header\r\n\r\n",
