@@ -15,7 +15,6 @@ import ctypes
 import json
 import os
 import queue
-import re
 import secrets
 import signal
 import socket
@@ -67,6 +66,12 @@ PASSED_ON = {"--format": NODES, "--key": NODES, "--processors": NODES,
              "--orbit-after": ("urv_mcs",), "--terminate-after": ("urv_mcs",)}
 """Options of the nodes, and the nodes that have them. The nodes themselves
 check their values."""
+
+OWN_OPTIONS = {
+    "station": {"--listen": "--page-port", "--frames": "--ports",
+                "--relay": "--ports"},
+    "yamcs_gate": {"--port": "--yamcs-port"}, "mavlink": {"--to": "--mavlink"}}
+"""The option of this command for each one of a program that it starts."""
 
 
 def ground(
@@ -415,9 +420,14 @@ class Flight:
         for line in process.stdout:
             if what in line:
                 return line
-        process.wait()
-        raise faults.Failed(re.sub(r"^urv: ", "", self.last_word_of(name))
-                            or f"{name} has ended at once")
+        status = process.wait()
+        said = (self.last_word_of(name).removeprefix("urv: ")
+                or f"{name} has ended at once")
+        option, _, rest = said.partition(" ")
+        said = " ".join((OWN_OPTIONS.get(name, {}).get(option, option), rest))
+        if status == REFUSES:
+            raise faults.Refused(said)
+        raise faults.Failed(said)
 
     def last_word_of(self, name: str) -> str:
         """The last line of a program, which gives the reason of its end."""

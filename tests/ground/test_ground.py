@@ -241,9 +241,20 @@ def test_gnd31_a_port_that_is_taken_is_reported(tmp_path, urv):
         result = urv("ground", "--no-yamcs", "--folder", tmp_path / "other",
                      "--page-port", ground.page_port,
                      "--ports", free_ports(5)[0])
-        assert result.returncode == 1
-        assert "in use" in result.stderr
-        assert len(result.stderr.splitlines()) == 1
+        assert result.returncode == 2
+        assert result.stderr == (
+            f'urv: --page-port "127.0.0.1", port {ground.page_port}:'
+            " Address already in use\n")
+
+
+def test_gnd31_a_bad_value_is_reported_with_the_option_of_ground(
+        tmp_path, urv):
+    """The option was --to, that of bin/urv mavlink, and the status was 1."""
+    result = urv("ground", "--no-yamcs", "--folder", tmp_path / "flight",
+                 "--page-port", free_ports(1)[0], "--ports", free_ports(5)[0],
+                 "--mavlink", "nowhere")
+    assert (result.returncode, result.stderr) == (
+        2, 'urv: --mavlink "nowhere": not udp:HOST:PORT\n')
 
 
 def command_line(ground, node):
