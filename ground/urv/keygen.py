@@ -39,7 +39,8 @@ def keygen(
     """Make a key of the sealed link.
 
     With --add the file then has two: the new one, used for calling, and the
-    old one, which is valid until it is removed.
+    old one, which is valid until it is removed. A file has two at most: the
+    oldest is removed, and named.
     """
     old = _old_keys(file) if add else []
     if number is None:
@@ -59,7 +60,8 @@ def keygen(
     else:
         make(file, text)
     print(f"{faults.quoted(file)}: key {number}"
-          + (f", and key {old[0][0]} as before" if old else ""))
+          + (f", and key {old[0][0]} as before" if old else "")
+          + "".join(f"; key {gone} is removed" for gone, _ in old[1:]))
 
 
 def _old_keys(file: Path) -> list[tuple[int, str]]:

@@ -46,8 +46,10 @@ def test_sec5_a_second_key_precedes_the_first(urv, tmp_path):
     assert stat.S_IMODE(path.stat().st_mode) == 0o600
     assert fly(tmp_path, "link.key").returncode == 0
 
-    # Two at most: the oldest goes.
-    assert urv("keygen", "--add", "link.key").returncode == 0
+    # Two at most: the oldest goes, and is named.
+    added = urv("keygen", "--add", "link.key")
+    assert (added.returncode, added.stdout) == (
+        0, '"link.key": key 3, and key 2 as before; key 1 is removed\n')
     assert [number for number, _ in keys_of(path)] == ["3", "2"]
 
 
