@@ -22,7 +22,7 @@ def check(
         metavar="FILE", help="The inputs over time and their spectra, HTML.")
     ] = None,
 ):
-    """Check the cards and print each with its length, size and words."""
+    """Check the cards and print their lengths, sizes and words."""
     from urv import cards, whole_files
 
     whole_files.check_distinct({"--plot": plot}, {"FILE": file})
@@ -46,8 +46,9 @@ def orders(
         min=1, max=8, metavar="SLOT", help="The card that runs first.")
     ] = None,
 ):
-    """Print the orders that send the cards, for --orders of urv_sim, urv_gsc
-    and bin/urv ground."""
+    """Print the orders that send the cards.
+
+    They are for --orders of urv_sim, urv_gsc and bin/urv ground."""
     for place, each in enumerate(chosen(file, choose)):
         print(each.order(begin_ms + place * BETWEEN_MS))
 
@@ -60,8 +61,10 @@ def programme(
     orders: Annotated[Path, typer.Option(
         metavar="FILE", help="The orders to write, for --orders.")],
 ):
-    """Write a flight of urv_sim that runs each card once: trimmed flight with
-    hands off, the card, recovery by the control laws, and the next one."""
+    """Write a simulated flight that runs each card once.
+
+    It is for urv_sim: trimmed flight with hands off, the card, recovery by the
+    control laws, and the next one."""
     from urv import card_programme, cards, whole_files
 
     whole_files.check_distinct({"--sticks": sticks, "--orders": orders},
@@ -85,9 +88,9 @@ def send(
         min=1, max=8, metavar="SLOT", help="The card that runs first.")
     ] = None,
 ):
-    """Send the cards to the ground's node of a flight, which sends them up.
+    """Send the cards to the ground's node of a flight.
 
-    While a console has the sticks, the node takes orders from its station only:
+    The node sends them up. While a console has the sticks, the node takes orders from its station only:
     send them from the page, or before."""
     import secrets
     import socket

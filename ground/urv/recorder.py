@@ -23,7 +23,7 @@ def fetch(
     last: Annotated[Optional[float], typer.Option(
         min=0.02, metavar="S", help="Only the newest seconds.")] = None,
 ):
-    """Fetch the recorder's rows from the aircraft, which is on the ground.
+    """Fetch the recorder's rows from an aircraft on the ground.
 
     Status 0: all rows have come. Status 1: some are missing; FILE has the
     others, and the missing ones are named. An interrupted fetch keeps its rows,
@@ -114,7 +114,9 @@ def read(
         metavar="BLOCKS", help="As written by urv_sim --fetched.")],
     file: OUT,
 ):
-    """Make a recording of the blocks that came down in a simulated flight."""
+    """Make a recording of the blocks of a simulated flight.
+
+    They came down in it: urv_sim fly --fetched FILE."""
     from urv import faults, input_files, recorder_blocks, recordings, \
         whole_files
 

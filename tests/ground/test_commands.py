@@ -27,6 +27,16 @@ def test_gnd10_help_names_every_command_and_each_has_help(urv, capsys):
         assert f"\n\n  {line}\n" in help_of_it, command
 
 
+@pytest.mark.parametrize("group", ["card", "recorder"])
+def test_gnd10_the_list_of_a_group_has_whole_sentences(urv, group):
+    """Long ones ended with "..."."""
+    result = urv(group, "--help", env={**os.environ, "COLUMNS": "80"})
+    lines = result.stdout.partition("Commands:\n")[2].splitlines()
+    assert len(lines) >= 2
+    assert [line for line in lines if not re.fullmatch(
+        r"  [a-z]+ +[A-Z].*[a-z]\.", line)] == []
+
+
 LOADED = """
 import sys
 from urv import main
