@@ -63,8 +63,9 @@ def unread(text):
 
 def with_links(text, links_of):
     """The same text with other links: `links_of` gives for a UID the names
-    of each of the fields CODE, THEOREMS and TESTS. A requirement that is Open
-    and has tests is no longer Open, and needs no WHY."""
+    of each of the fields CODE, THEOREMS and TESTS. A field with these names
+    already stays as it is written. A requirement that is Open and has tests is
+    no longer Open, and needs no WHY."""
 
     def renewed(node):
         uid = re.search(r"^UID: (\S+)$", node[1], re.M)[1]
@@ -73,10 +74,20 @@ def with_links(text, links_of):
             field[0] for field in FIELD_ON_LINE.finditer(node[1])
             if field["name"] not in links
             and not (field["name"] in ("STATUS", "WHY") and links["TESTS"]))
-        fields = "".join(map(field_of, links.items()))
+        written = {field["name"]: field
+                   for field in FIELD_ON_LINE.finditer(node[1])}
+        fields = "".join(
+            written[name][0] if has_names(written.get(name), wanted)
+            else field_of((name, wanted)) for name, wanted in links.items())
         return f"[REQUIREMENT]\n{kept}{fields}\n"
 
     return NODE.sub(renewed, text)
+
+
+def has_names(field, wanted):
+    """Whether a field of the file has these names, in any order."""
+    return field is not None and sorted(names(
+        field["block"] or field["line"])) == sorted(wanted)
 
 
 def field_of(field):
@@ -87,7 +98,8 @@ def field_of(field):
     line = f"{name}: {', '.join(links)}\n"
     if len(line) <= 80:
         return line
-    wrapped = textwrap.fill(", ".join(links), 79, break_on_hyphens=False)
+    wrapped = textwrap.fill(", ".join(links), 79, break_long_words=False,
+                            break_on_hyphens=False)
     return f"{name}: >>>\n{wrapped}\n<<<\n"
 
 

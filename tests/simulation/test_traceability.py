@@ -90,13 +90,36 @@ def test_a_planted_gap_is_found(planted_gaps, what):
     assert any(expected in gap for gap in planted_gaps), planted_gaps
 
 
-def test_evi1_renewed_links_break_no_name():
-    """Names of files have hyphens."""
-    name = "targets/mc68000/telemetry-shared_boards.adb"
-    for before in range(1, 80):
-        text = requirements_file.field_of(("CODE", ["x" * before, name]))
-        assert name in text
-        assert max(map(len, text.splitlines())) <= 80
+def links_in(text):
+    """The links of each requirement, as the file has them."""
+    return {item.uid: {"CODE": item.code, "THEOREMS": item.theorems,
+                       "TESTS": item.tests}
+            for item in requirements_file.parsed(text)}
+
+
+def test_evi1_new_links_change_no_others():
+    """A renewal broke telemetry-shared_boards.adb into two lines, and wrapped
+    each list of the file again."""
+    text = (ROOT / requirements_file.FILE).read_text("utf-8")
+    links = links_in(text)
+    assert requirements_file.with_links(text, links.get) == text
+
+    longest = max(links, key=lambda uid: max(map(
+        len, links[uid]["CODE"]), default=0))
+    links[longest]["CODE"].append("targets/mc68000/a-name-with-hyphens.adb")
+    renewed = requirements_file.with_links(text, links.get)
+    assert links_in(renewed) == links
+    assert max(map(len, renewed.splitlines())) <= max(
+        map(len, text.splitlines()))
+
+
+@pytest.mark.parametrize("before", range(0, 60, 4))
+def test_evi1_a_name_stays_on_one_line(before):
+    links = ["a" * 20, "b" * before or "c", "mc68000/a-b-c/d-e-f_g-h.adb",
+             *("d" * 20 for _ in range(3))]
+    field = requirements_file.field_of(("CODE", links))
+    found = requirements_file.FIELD_ON_LINE.fullmatch(field)
+    assert requirements_file.names(found["block"]) == links
 
 
 def test_strictdoc_shows_the_links_both_ways(tmp_path):
