@@ -4,6 +4,7 @@
 software: all of Ravenscar but the count that detects blocking (D-29), without
 entries (D-30), without floating point (TST-2)."""
 
+import ast
 import re
 import subprocess
 import sys
@@ -32,6 +33,33 @@ def test_evi11_no_port_is_given_twice_before_many_others():
     # A test takes some for each of its programs, which open them later.
     given = [free_ports(2)[0] for _ in range(len(PLACES) // 2)]
     assert len(set(given)) == len(given)
+
+
+# --- commands of the pages ----------------------------------------------------
+
+SCRIPT = re.compile(r"^(?: {4}|\$ )?((?:evidence|scripts|sim|targets)/\S+\.py)",
+                    re.M)
+
+
+def needs_a_package(script):
+    """Whether it imports something at its top that Debian's Python lacks."""
+    tree = ast.parse((ROOT / script).read_text("utf-8"))
+    imported = {name.split(".")[0] for node in tree.body
+                for name in ([each.name for each in node.names]
+                             if isinstance(node, ast.Import) else
+                             [node.module]
+                             if isinstance(node, ast.ImportFrom) else [])}
+    return bool(imported & {"control", "jsbsim", "nacl", "numpy", "pyarrow",
+                            "scipy"})
+
+
+@pytest.mark.parametrize(
+    "page", PAGES, ids=[path.relative_to(ROOT).as_posix() for path in PAGES])
+def test_evi11_a_command_of_a_page_has_its_packages(page):
+    """evidence/derivatives.py had a traceback: the packages of set-up are in
+    .venv, which the script's first line does not name."""
+    alone = SCRIPT.findall(page.read_text("utf-8"))
+    assert [script for script in alone if needs_a_package(script)] == []
 
 
 # --- licences ----------------------------------------------------------------
