@@ -19,7 +19,7 @@
 set -eu
 cd "$(dirname "$0")/.."
 
-target=${1:?usage: scripts/setup.sh TARGET}
+target=${1:-}
 
 # The number of this Debian, when packages are to come from it: alr exec has
 # put its own compiler and libraries on the PATH.
@@ -117,7 +117,10 @@ case $target in
           requirements="" ;;
    trace) packages="python3 python3-venv"
           requirements="scripts/trace/requirements.txt" ;;
-   *)     echo "setup: no such target: $target" >&2
+   *)     targets=$(sed -n '/^#   scripts\/setup.sh /,/^#$/s/^# *//p' \
+                         scripts/setup.sh | tr -d ' \n' | tr '|' ' ')
+          echo "setup: ${target:+no such target: $target; }usage:" \
+               "scripts/setup.sh TARGET, one of ${targets#scripts/setup.sh}" >&2
           exit 2 ;;
 esac
 
@@ -222,6 +225,14 @@ case $target in
       fi ;;
 esac
 
+# First: Alire has a compiler of its own, so Debian's would be of no use.
+if [ "$target" = prove ] && ! command -v gnatprove >/dev/null 2>&1; then
+   echo "setup: gnatprove is not on the PATH. It is no Debian package; Alire" \
+        "has it, crate gnatprove 12. Get Alire, https://alire.ada.dev, then:" \
+        "cd proofs && alr exec -- make -C .. prove" >&2
+   exit 1
+fi
+
 if [ -n "$debian" ]; then
    # shellcheck disable=SC2086 # a list of names
    install_packages $packages
@@ -252,13 +263,6 @@ if [ -n "$debian" ]; then
 else
    require_commands gprbuild gcc python3
    python=python3
-fi
-
-if [ "$target" = prove ] && ! command -v gnatprove >/dev/null 2>&1; then
-   echo "setup: gnatprove is not on the PATH. It is no Debian package; Alire" \
-        "has it, crate gnatprove 12. Get Alire, https://alire.ada.dev, then:" \
-        "cd proofs && alr exec -- make -C .. prove" >&2
-   exit 1
 fi
 
 # The virtual environment: made again when its Python went away, filled

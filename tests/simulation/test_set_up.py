@@ -3,6 +3,7 @@
 stand-ins here: nothing is installed."""
 
 import platform
+import re
 import shutil
 import subprocess
 
@@ -192,4 +193,34 @@ def test_elsewhere_a_missing_command_is_named(set_up, tmp_path):
 def test_an_unknown_target_is_refused(set_up):
     result = set_up("flie")
     assert result.returncode == 2
-    assert result.stderr == "setup: no such target: flie\n"
+    assert result.stderr.startswith(
+        "setup: no such target: flie; usage: scripts/setup.sh TARGET, one of"
+        " fly ground page test ")
+    assert len(result.stderr.splitlines()) == 1
+    # Each that it names is one, and each target of the Makefiles is named.
+    named = result.stderr.split("one of ")[1].split()
+    called = set(re.findall(
+        r"setup\.sh (\w+)", (ROOT / "Makefile").read_text("utf-8")
+        + (ROOT / "evidence" / "Makefile").read_text("utf-8")))
+    assert called <= set(named)
+    script = (ROOT / "scripts" / "setup.sh").read_text("utf-8")
+    cases = script.partition("case $target in")[2].partition("esac")[0]
+    assert sorted(named) == sorted(re.findall(
+        r"\w+", " ".join(re.findall(r"^   ([\w| ]+)\)", cases, re.M))))
+
+
+def test_evi11_without_a_target_the_choices_are_listed(set_up):
+    """The shell's own line was "scripts/setup.sh: 22: 1: usage: ..."."""
+    result = set_up("")
+    assert result.returncode == 2
+    assert result.stderr.startswith(
+        "setup: usage: scripts/setup.sh TARGET, one of fly ")
+
+
+@on_debian
+def test_evi11_a_missing_gnatprove_is_named_before_debians_packages(set_up):
+    """Root was asked for a compiler that Alire replaces."""
+    result = set_up("prove", **MISSING, id="echo 1000")
+    assert result.returncode == 1
+    assert result.stderr.startswith("setup: gnatprove is not on the PATH.")
+    assert "apt-get" not in result.stderr
