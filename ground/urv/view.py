@@ -113,6 +113,8 @@ class View:
     _fault: str = ""
     _second: deque[tuple[float, bool]] = field(default_factory=deque)
     _fresh: int = 0
+    _steady: int = 0
+    """Fresh downlinks since the last frame without one."""
 
     def __post_init__(self) -> None:
         self._began = self.now()
@@ -436,6 +438,7 @@ class View:
     def _laws(self, frame: packets.FramePacket, now: float) -> None:
         """Handles the status of the aircraft's laws; ignores an old one."""
         self._fresh += frame.is_fresh
+        self._steady = self._steady + 1 if frame.is_fresh else 0
         told = Laws.of(frame)
         if (told and told.mode) != (self.laws and self.laws.mode):
             self.note(INFO, "state", "the laws: "
@@ -443,8 +446,8 @@ class View:
         self.laws = told
         if told is not None:
             self.laws_state = "on"
-        elif (frame.version >= packets.WHOLE and frame.is_fresh
-              and self._fresh >= LAWS_SETTLE):
+        elif frame.version >= packets.WHOLE and self._steady >= LAWS_SETTLE:
+            # A lost downlink may have had a part of the laws' row.
             self.laws_state = "off"
         if not frame.is_fresh or self._fresh < LAWS_SETTLE:
             return

@@ -9,7 +9,7 @@ from conftest import ROOT
 from fake_node import laws_row
 from test_packets import some_frame
 
-from urv import laws, packets
+from urv import laws, packets, view
 from urv.laws import Laws
 
 
@@ -45,6 +45,26 @@ def test_gnd7_the_surfaces_are_those_of_the_monitor():
 def test_gnd7_no_report_is_no_knowledge():
     assert Laws.of(told()) is None
     assert Laws.of(some_frame(version=1)) is None
+
+
+@pytest.mark.parametrize("lost_each, state", [
+    (None, "off"), (90, "unknown"), (2, "unknown")])
+def test_gnd7_laws_are_off_only_when_their_row_has_come_empty(
+        lost_each, state):
+    """On a bad link the page showed "laws off" for laws that were on: their row
+    came never whole."""
+    seen = view.View(now=lambda: 100.0)
+    frame = replace(told(), run=1)
+    for number in range(500):
+        lost = lost_each and number % lost_each == 0
+        seen.datagram(replace(
+            frame, sequence=number, time_us=number * packets.FRAME_US,
+            downlink_age=1 if lost else 0).encode())
+    assert seen.laws_state == state
+    seen.datagram(replace(
+        told(0x1000), run=1, sequence=500,
+        time_us=500 * packets.FRAME_US).encode())
+    assert seen.laws_state == "on"
 
 
 @pytest.mark.parametrize("word, mode, short, link", [
