@@ -17,7 +17,10 @@ SHORTEST = 500
 """Frames of a spectrum, with zeros after a shorter input."""
 STYLE = ("body{font:15px sans-serif;max-width:46rem;margin:1rem auto;"
          "padding:0 1rem}svg{width:100%;height:auto}"
-         "text{font-size:12px;fill:#57606a}")
+         "text{font-size:12px;fill:#57606a}:root{color-scheme:light dark}"
+         # The same hues, light on dark.
+         "@media(prefers-color-scheme:dark){svg,span{"
+         "filter:invert(1) hue-rotate(180deg)}}")
 
 
 def page(deck, name):

@@ -193,6 +193,24 @@ def test_fti7_the_commands_print_and_plot(tmp_path):
     assert run("orders", path, "--choose", 5).returncode == 2
 
 
+def test_fti7_the_plot_is_dark_where_all_else_is(tmp_path, browser):
+    """It stayed white, unlike all other pages of bin/urv."""
+    plot = tmp_path / "cards.html"
+    assert run("check", written(tmp_path, GOOD), "--plot", plot
+               ).returncode == 0
+    filters = {}
+    for scheme in ("light", "dark"):
+        page = browser.new_page(color_scheme=scheme)
+        page.goto(plot.as_uri())
+        filters[scheme] = page.evaluate(
+            "[getComputedStyle(document.querySelector('svg')).filter,"
+            " getComputedStyle(document.body).color]")
+        page.close()
+    assert filters["light"] == ["none", "rgb(0, 0, 0)"]
+    assert filters["dark"] == ["invert(1) hue-rotate(180deg)",
+                               "rgb(255, 255, 255)"]
+
+
 def test_fti7_harmonics_are_disjoint_and_within_the_amplitude(tmp_path):
     card = cards.read(written(tmp_path, GOOD))[1]
     found = [each for surface in ("left_aileron", "left_elevator",
