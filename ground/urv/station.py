@@ -86,10 +86,10 @@ def station(
     if yamcs is not None and not yamcs.startswith("http://"):
         raise faults.Refused(
             f"--yamcs {faults.quoted(yamcs)}: not http://HOST:PORT")
-    if not recordings.is_dir():
+    # A missing folder may still be made before a fetch.
+    if recordings.exists() and not recordings.is_dir():
         raise faults.Refused(
-            f"--recordings {faults.quoted(recordings)}: there is no such"
-            " folder")
+            f"--recordings {faults.quoted(recordings)}: not a folder")
     if sender is not None:
         sender = ip_address("--sender", sender)
     asyncio.run(until_ended(serve(
