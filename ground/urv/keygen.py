@@ -69,7 +69,8 @@ def _old_keys(file: Path) -> list[tuple[int, str]]:
     with input_files.opened(file) as read:
         if stat.S_IMODE(os.fstat(read.fileno()).st_mode) != MODE:
             raise faults.Refused(
-                f"{faults.quoted(file)} does not have mode 0600")
+                f"{faults.quoted(file)} does not have mode 0600:"
+                " chmod 600 gives it")
         data = read.read(LONGEST + 1)
     if len(data) > LONGEST or not data.isascii():
         raise faults.Refused(f"{faults.quoted(file)} is not a file of keys")
