@@ -309,7 +309,7 @@ def test_gnd62_moments_come_after_their_causes():
         [model.prior(each, 0)[0] if model.prior(each, 0) else
          own.prior.get(each.name, 0.0)] for each in model.parameters])
     inputs = numpy.array([[0.1], [0.05], [0.05], [0.0], [-32.0],
-                          [118.0], [16.0], [0.05], [0.02], [0.0]])
+                          [118.0], [16.0], [0.05], [0.02], [0.0], [0.0]])
     states = numpy.array([[0.02], [0.3], [0.1], [0.2]])
     now = model.motion(states, inputs, values)
     found = model.rates(states, inputs, values)
@@ -327,6 +327,57 @@ def test_gnd62_moments_come_after_their_causes():
     late = model.as_moments_see(part)
     for name, delay in (("beta", 0.004), ("p", 0.002), ("rudder", 0.002)):
         assert times - late[name] == pytest.approx(delay), name
+
+
+def of_prior(model, own):
+    """The values of a model's parameters: those of the aircraft file."""
+    return numpy.array([
+        [model.prior(each, 0)[0] if model.prior(each, 0) else
+         own.prior.get(each.name, 0.0)] for each in model.parameters])
+
+
+def test_gnd62_drag_that_a_sideslip_turns_is_no_side_force_of_a_roll():
+    """The side force of drag, lift and side force along the axes of the wind. In
+    rolls the lift and with it the drag changes: CY_p was 0.01 in place of 0."""
+    own = aircraft.read()
+    model = airframes.Lateral(own, {name: {0: 0.1}
+                                    for name in ("airspeed", "alpha")})
+    times = STEP_S * numpy.arange(200)
+    alpha = 0.04 + 0.03 * numpy.sin(2.0 * times)
+    beta = 0.12 * numpy.sin(3.0 * times)
+    pressure = 0.5 * measurements.SEA_LEVEL_DENSITY * 118.0 ** 2
+    area = pressure * own.wing_area / own.mass
+    lift = 0.3 + 4.8 * alpha
+    drag = 0.05 + 0.05 * lift ** 2
+    thrust = 0.06
+    cos, sin = numpy.cos, numpy.sin
+    side = -0.45 * beta
+    part = measurements.Segment(
+        times, dict.fromkeys(("p", "q", "r", "phi", "theta", "aileron",
+                              "rudder"), 0.0 * times) | {
+            "alpha": alpha, "beta": beta, "airspeed": 118.0 + 0.0 * times,
+            "ax": area * (thrust - drag * cos(alpha) * cos(beta)
+                          - side * cos(alpha) * sin(beta)
+                          + lift * sin(alpha)),
+            "ay": area * (side * cos(beta) - drag * sin(beta)),
+            "az": area * (-drag * sin(alpha) * cos(beta)
+                          - side * sin(alpha) * sin(beta)
+                          - lift * cos(alpha))},
+        numpy.ones(200, bool), numpy.ones(200))
+    values = of_prior(model, own)
+    values[model.place["CY_beta"]] = -0.45 - drag.mean()
+    states = numpy.array([beta, *numpy.zeros((3, 200))])
+    inputs = model.inputs(part, times, values[:, 0])
+    found = model.forces(states, inputs, numpy.tile(values, 200))[0]
+    assert abs(found - part["ay"]).max() < 1e-4 * area
+    # Drag along the body is the other case that the interval contains.
+    values[model.place[airframes.DRAG]] = 0.0
+    other = model.forces(states, inputs, numpy.tile(values, 200))[0]
+    assert abs(other - part["ay"]).max() > 5e-4 * area
+    left, table, _ = model.equations(part, lambda each: each,
+                                     lambda each: 0.0 * each)
+    assert left["CY"] == pytest.approx(
+        values[model.place["CY_beta"], 0] * table["CY"][0], abs=1e-4)
 
 
 def test_gnd62_the_noise_of_the_airspeed_is_smoothed():
@@ -479,6 +530,27 @@ def flown(tmp_path_factory):
         "noise pitch_rate 0.1\nnoise yaw_rate 0.1\n", "utf-8")
     return fly(folder, "--plant", "jsbsim", "--sticks", "sticks.csv",
                "--conditions", "conditions.txt")
+
+
+def lateral_start(flight):
+    """The lateral derivatives by equation error, and the segments."""
+    own = aircraft.read()
+    parts = [measurements.smooth_airspeed(measurements.without_delays(
+        measurements.segment(flight, each.begin, each.end), own.delays))
+        for each in manoeuvres.found(flight) if "lateral" in each.axes]
+    return equation_error.regress(airframes.Lateral(
+        own, {name: {0: 0.1} for name in ("airspeed", "alpha")}), parts)
+
+
+def test_gnd62_a_roll_makes_no_side_force_in_a_flight(flown, tmp_path):
+    """JSBSim's aircraft has none: exact sensors showed 0.01."""
+    from urv import flights
+    fly(tmp_path, "--plant", "jsbsim", "--sticks", flown / "sticks.csv")
+    start = lateral_start(flights.read(tmp_path / "record.csv",
+                                       lambda _record: None))
+    assert abs(start.values["CY_p"]) < 0.005
+    assert abs(start.values["CY_aileron"]) < 0.0015
+    assert start.values["CY_beta"] == pytest.approx(-0.5103, rel=0.01)
 
 
 @pytest.fixture(scope="module")

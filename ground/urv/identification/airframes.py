@@ -39,11 +39,27 @@ pitch."""
 AIRSPEED_ERROR = "airspeed's constant error"
 """In deviations of each record's constant error: a parameter."""
 
+DRAG = "drag along the wind"
+"""The share of the drag's changes that acts along the wind, so that a sideslip turns
+it to the side: a parameter. Wind tunnels and JSBSim take 1. Drag that stays along the
+body has 0."""
+DRAG_DEVIATION = 0.5
+
 LEAST_ERROR = {"airspeed": 1e-3, "alpha": 1e-5}
 """Least deviations of constant errors, ft/s and rad."""
 
 LEAST_DELAY_S = 1e-8
 """A shorter one is none."""
+
+
+def along_wind(segment: Segment):
+    """The specific force along the wind without sideslip, less the mean along the
+    wind. Its changes are those of the drag: thrust hardly changes in a manoeuvre."""
+    alpha, beta = segment["alpha"], segment["beta"]
+    found = (segment["ax"] * numpy.cos(alpha)
+             + segment["az"] * numpy.sin(alpha))
+    return found - (found * numpy.cos(beta)
+                    + segment["ay"] * numpy.sin(beta)).mean()
 
 
 class Airframe:
@@ -62,6 +78,8 @@ class Airframe:
     sizes_of: dict[str, float]
     """The effect of a variable that matters, as a coefficient."""
     errors: tuple[Parameter, ...]
+    known: tuple[Parameter, ...] = ()
+    """Further parameters that are considered, and not estimated."""
 
     def __init__(self, aircraft: Aircraft,
                  deviations: dict[str, dict[int, float]]):
@@ -82,6 +100,7 @@ class Airframe:
             *(Parameter(f"{name}_0", SEGMENT, 0.0, 0.01 * self.sizes_of[name])
               for name in self.coefficients),
             *self.errors,
+            *self.known,
             Parameter(SPIN, RECORD, 0.0, 0.01, prior=(0.0, SPIN_PER_S)),
             # One probe and one aircraft fly all records: more records make
             # these no smaller.
@@ -300,23 +319,32 @@ class Lateral(Airframe):
                         prior=(0.0, 2.0 * DEG)),
               # Alpha tilts the axis of the roll rate: rolls show its error.
               Parameter("alpha error", RECORD, 0.0, 0.1 * DEG, is_input=True))
+    known = (Parameter(DRAG, ALL, 1.0, 0.1, prior=(1.0, DRAG_DEVIATION),
+                       is_considered=True),)
 
     def inputs(self, segment, times, values):
+        """Those of all airframes, then the changes of the force along the wind."""
         found = super().inputs(segment, times, values)
         found[self.kinematic.index("alpha")] -= values[
             self.place["alpha error"]]
-        return found
+        return numpy.concatenate([
+            found, [numpy.interp(times, segment.times, along_wind(segment))]])
 
     def forces(self, states, inputs, values):
-        """Specific force along y, and the moments in roll and yaw."""
+        """Specific force along y, and the moments in roll and yaw.
+
+        Drag acts along the wind. A sideslip turns it to the side: at a constant
+        drag a part of CY_beta. The drag changes with lift and sideslip, and in a
+        roll the lift changes: CY_p would show it."""
         own = self.aircraft
         beta, p, r = states[:3]
-        speed, pressure, aileron, rudder, change = inputs[5:10]
+        speed, pressure, aileron, rudder, change, along = inputs[5:11]
         per = own.span / (2.0 * speed)
         force, roll, yaw = self.sums(numpy.array([
             beta, p * per, r * per, aileron, rudder, change]), values)
         area = pressure * own.wing_area
-        return (area / own.mass * force,
+        return (area / own.mass * force / numpy.cos(beta)
+                + values[self.place[DRAG]] * numpy.tan(beta) * along,
                 area * own.span * roll, area * own.span * yaw)
 
     def motion(self, states, inputs, values):
@@ -369,8 +397,11 @@ class Lateral(Airframe):
         dp, dr = slope(segment["p"]), slope(segment["r"])
         area = pressure * own.wing_area
         late = self.regressors(self.as_moments_see(segment), smooth)
+        beta = smooth(segment["beta"])
+        side = smooth(segment["ay"]) - numpy.tan(beta) * smooth(
+            along_wind(segment))
         return {
-            "CY": own.mass * smooth(segment["ay"]) / area,
+            "CY": own.mass * side * numpy.cos(beta) / area,
             "Cl": (own.ixx * dp - own.ixz * (dr + p * q)
                    - (own.iyy - own.izz) * q * r) / (area * own.span),
             "Cn": (own.izz * dr - own.ixz * (dp - q * r)

@@ -74,8 +74,9 @@ def linear(airframe, derivatives, middle, ratio) -> dict:
     at = {"alpha": alpha, "theta": theta, "ax": ax, "az": az}
     states = numpy.array([at.get(name, 0.0) for name in airframe.states])
     signals = [at.get(name, 0.0) for name in airframe.kinematic]
+    # Then the changes of the airspeed and of the drag.
     inputs = numpy.array([*signals, speed, pressure,
-                          *(0.0 for _ in airframe.surfaces), 0.0])
+                          *(0.0 for _ in airframe.surfaces), 0.0, 0.0])
     if airframe.axis == "longitudinal":
         # Level flight: the weight is carried, and no moment is left.
         values[airframe.place["CZ_0"]] = (
