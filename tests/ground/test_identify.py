@@ -23,6 +23,7 @@ from urv.identification import (
     aircraft,
     airframes,
     analysis,
+    bounds,
     cautions,
     compatibility,
     equation_error,
@@ -183,6 +184,25 @@ def test_gnd62_what_is_only_considered_widens_the_bounds_of_others():
         assert unsure.deviations[name] > exact.deviations[name]
     # The force's effect is about that of the spring: 10 % of it.
     assert unsure.deviations["stiffness"] > 5 * exact.deviations["stiffness"]
+
+
+def test_gnd62_a_parameter_that_changes_nothing_does_not_hurt_the_others():
+    """The propellers' spin in a flight without any yaw rate: its variance was
+    infinite, and the covariances with it no numbers."""
+    chance = numpy.random.default_rng(1)
+    slopes = [chance.normal(0, 1, (1, 200, 3)) for _ in range(2)]
+    residuals = [chance.normal(0, 1, (1, 200)) for _ in range(2)]
+    padded = [numpy.concatenate([each, 0.0 * each[:, :, :1]], axis=2)
+              for each in slopes]
+    with numpy.errstate(all="raise"):
+        for alone, beside in zip(bounds.covariances(slopes, residuals),
+                                 bounds.covariances(padded, residuals),
+                                 strict=True):
+            assert numpy.isfinite(beside).all()
+            assert numpy.sqrt(beside[3, 3]) > 1e5
+            # The other one uses up one residual, too.
+            assert beside[:3, :3] == pytest.approx(alone, rel=0.01)
+            assert abs(beside[3, :3]).max() < 1e-6
 
 
 class Integrator:
@@ -558,8 +578,8 @@ def identified(flown):
     """The same, with the report and the numbers."""
     result = subprocess.run(
         [ROOT / "bin" / "urv", "identify", "record.csv", "-o", "report.html",
-         "--json", "result.json", "--model", "model.json"], cwd=flown, check=False, text=True,
-        capture_output=True)
+         "--json", "result.json", "--model", "model.json"], cwd=flown,
+        check=False, text=True, capture_output=True)
     assert (result.returncode, result.stderr) == (0, "")
     (flown / "said.txt").write_text(result.stdout, "utf-8")
     return flown

@@ -17,6 +17,9 @@ LONGEST_SHARE = 0.25
 """Lags of the autocorrelation: up to this share of a manoeuvre's length, and
 weighted by Bartlett's window, so that no variance is below zero."""
 
+UNKNOWN = 1e6
+"""The standard deviation of a parameter that changes no output."""
+
 
 def covariances(slopes, residuals, priors=(), considered=None,
                 gradients=(), columns=None, many=None):
@@ -50,6 +53,8 @@ def covariances(slopes, residuals, priors=(), considered=None,
     for index, _, deviation in priors:
         information[index, index] += deviation ** -2
         middle[index, index] += deviation ** -2
+    for index in numpy.flatnonzero(numpy.diag(information) < UNKNOWN ** -2):
+        information[index, index] = middle[index, index] = UNKNOWN ** -2
     white = _inverse(information)
     coloured = white @ middle @ white
     # Each estimated parameter uses up one independent residual.
@@ -81,8 +86,8 @@ def _by_inputs(gradients, white, considered):
 
 
 def autocorrelation(residuals, longest):
-    """Autocorrelation of each pair of outputs at lags from -longest to longest: outputs,
-    outputs, lags."""
+    """Autocorrelation of each pair of outputs at lags from -longest to longest:
+    outputs, outputs, lags."""
     outputs = len(residuals[0])
     found = numpy.zeros((outputs, outputs, 2 * longest + 1))
     count = sum(each.shape[1] for each in residuals)
@@ -137,7 +142,7 @@ def _middle(slopes, kernel, columns, many):
 def _inverse(information):
     """The inverse, by columns of equal size; a direction without information
     gets a very large variance."""
-    size = numpy.sqrt(numpy.maximum(numpy.diag(information), 1e-300))
+    size = numpy.sqrt(numpy.diag(information))
     values, vectors = linalg.eigh(information / size / size[:, None])
     values = numpy.maximum(values, 1e-12)
     return (vectors / values) @ vectors.T / size / size[:, None]
