@@ -305,6 +305,41 @@ def test_gnd61_an_error_that_the_data_need_is_applied_alone():
         "delay accelerations", "scale alpha"]
 
 
+def test_gnd61_a_delay_that_no_sensor_has_is_bounded():
+    """A switched sign of beta in a noisy record made a delay of seconds: that of the
+    accelerations alone was drawn along its correlation with beta's factor."""
+    model, fit = fit_of({"scale alpha": -1.0, "delay accelerations": -0.01},
+                        {"scale": 0.02, "delay": 0.03}, 0.99)
+    for is_rough in (False, True):
+        _, others = compatibility.needed(model, fit, 0, is_rough)
+        for name, (value, _) in others.items():
+            assert name.startswith("scale") or abs(value) <= 0.3
+    model, fit = fit_of({"delay rates": -3.0},
+                        {"scale": 0.02, "delay": 0.03}, 0.0)
+    chosen, others = compatibility.needed(model, fit, 0, False)
+    assert (chosen, others["delay rates"][0]) == ([], -0.3)
+
+
+def test_gnd61_a_delay_beyond_its_bound_moves_no_signal():
+    model = compatibility.Kinematics(measurements.GRAVITY)
+    times = STEP_S * numpy.arange(200)
+    part = measurements.Segment(
+        times, dict.fromkeys(model.noisy, numpy.sin(times)),
+        numpy.ones(200, bool), numpy.ones(200))
+    values = numpy.zeros(len(model.parameters))
+    values[model.place["delay rates"]] = -3.132
+    assert model.inputs(part, times[50:], values)[0] == pytest.approx(
+        numpy.sin(times[50:] - 0.3), abs=1e-4)
+
+
+def test_gnd63_a_delay_at_its_bound_is_reported():
+    said, = judged([], sensors(found=[compatibility.Found(
+        "delay accelerations", "ms", -300.0, 10.0, False, False, True)]))
+    assert said == ('"a.csv": the data want a delay of accelerations of'
+                    " more than 300 ms, as no sensor has; is a sign, a unit or"
+                    " a column of the record wrong?")
+
+
 def test_gnd61_known_delays_are_removed():
     times = STEP_S * numpy.arange(200)
     late = {"accelerations": 0.004, "attitude": 0.002}

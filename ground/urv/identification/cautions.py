@@ -53,6 +53,11 @@ def _of_records(result):
                    " is applied, and derivatives may be wrong by more than"
                    " their intervals")
         for each in known.found:
+            if each.is_at_bound:
+                late = each.name.partition(" ")[2]
+                yield (f"{name}: the data want a delay of {late} of more than"
+                       f" {abs(each.value):.0f} ms, as no sensor has; is a"
+                       " sign, a unit or a column of the record wrong?")
             # In rough air a factor may be near 0, but hardly below.
             if each.name.startswith("scale ") and (
                     each.value + SURE * each.deviation < 0.0

@@ -49,6 +49,9 @@ DELAYS = {"rates": (measurements.RATES, 0.1),
           "airflow": (measurements.AIRFLOW, 0.1)}
 """Delays against the attitudes."""
 
+MOST_DELAY_S = 0.3
+"""No sensor is later, beside others. A wrong sign looks like a delay of seconds."""
+
 ATTITUDE = {"phi": 0.5 * DEG, "theta": 0.5 * DEG}
 """Standard deviations of the attitudes' constant errors, which are taken for
 0: a usual mounting and a usual vertical gyro (D-90)."""
@@ -80,6 +83,12 @@ class Found:
     """The data say more of it than was taken for possible before."""
     is_applied: bool
     """The data are corrected for it."""
+    is_at_bound: bool = False
+    """The data want more than a sensor has."""
+
+
+def bounded(delay):
+    return numpy.clip(delay, -MOST_DELAY_S, MOST_DELAY_S)
 
 
 class Kinematics:
@@ -130,7 +139,7 @@ class Kinematics:
             speed * numpy.sin(alpha) * numpy.cos(beta), phi, theta, height])
 
     def inputs(self, segment, times, values):
-        delay = {name: values[self.place[f"delay {name}"]]
+        delay = {name: bounded(values[self.place[f"delay {name}"]])
                  for name in ("rates", "accelerations")}
         return numpy.concatenate([
             segment.splines("p", "q", "r")(times + delay["rates"]),
@@ -164,7 +173,7 @@ class Kinematics:
         alpha = numpy.arctan2(w, u)
         beta = numpy.arcsin(numpy.clip(v / speed, -1.0, 1.0))
         # The airflow's words are late: what they show was so before.
-        late = values[self.place["delay airflow"]]
+        late = bounded(values[self.place["delay airflow"]])
         du, dv, dw = accelerations[:3]
         alpha = alpha - late * (u * dw - w * du) / (u * u + w * w)
         beta = beta - late * dv / speed
@@ -258,10 +267,13 @@ def check(segments: list[Segment], gravity=GRAVITY) -> Compatibility:
         unit, factor = {
             "bias": SHOWN[BIASES[name][0]] if kind == "bias" else None,
             "scale": ("", 1.0), "delay": ("ms", 1e3)}[kind]
-        determined = deviation < 0.5 * each.prior[1]
+        is_at_bound = kind == "delay" and abs(value) >= MOST_DELAY_S
+        value = bounded(value) if is_at_bound else value
+        determined = deviation < 0.5 * each.prior[1] and not is_at_bound
         found.append(Found(
             each.name, unit, value * factor, deviation * factor, determined,
-            determined if kind == "bias" else each.name in applied))
+            determined if kind == "bias" else
+            each.name in applied and not is_at_bound, is_at_bound))
     return Compatibility(
         found, fit, segments, is_rough,
         *(min(fit.deviations[f"bias {name}/{record}"], BIASES[name][1])
@@ -276,7 +288,8 @@ def needed(model, fit, record, is_rough):
     By forward selection: again and again the most significant one joins, judged
     as if those that have not joined were none. Estimated all at once, a scale
     factor of alpha and a delay of the accelerations compensate each other, and
-    both look significant. In rough air none joins."""
+    both look significant. In rough air none joins, and never a delay at its
+    bound."""
     nominal = {each.name: each.prior[0] for each in model.parameters
                if each.name.split(" ")[0] in ("scale", "delay")}
     names = list(nominal)
@@ -302,14 +315,18 @@ def needed(model, fit, record, is_rough):
                 shares = (numpy.linalg.pinv(
                     information[numpy.ix_(both, both)], hermitian=True)
                     @ information[both])[-1]
-                beside[name] = (shares @ found, numpy.sqrt(
-                    max(shares @ coloured @ shares, 1e-18)))
+                value = shares @ found
+                beside[name] = (
+                    bounded(value) if name.startswith("delay") else value,
+                    numpy.sqrt(max(shares @ coloured @ shares, 1e-18)))
         large = {name: abs(value) / deviation
                  for name, (value, deviation) in beside.items()
                  if abs(value) > max(
                      SIGNIFICANT * deviation,
                      LEAST_DELAY_S if name.startswith("delay")
-                     else LEAST_SCALE_ERROR)}
+                     else LEAST_SCALE_ERROR)
+                 and not (name.startswith("delay")
+                          and abs(value) >= MOST_DELAY_S)}
         if is_rough or not large:
             return ([names[row] for row in chosen],
                     {name: (nominal[name] + value, deviation)

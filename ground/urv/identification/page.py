@@ -54,7 +54,8 @@ def as_json(result: analysis.Result, aircraft) -> str:
                     "unit": each.unit, "value": number(each.value),
                     "deviation": number(each.deviation),
                     "determined": bool(each.is_determined),
-                    "applied": bool(each.is_applied)}
+                    "applied": bool(each.is_applied),
+                    "at_bound": bool(each.is_at_bound)}
                 for each in known.found}
             for known in result.compatibility],
         "axes": {name: {
@@ -219,7 +220,7 @@ def _sensors(known: compatibility.Compatibility | None, record, many) -> str:
         if known.is_rough and not known.contradictions else "")
     rows = "".join(
         f"<tr><th scope=\"row\">{escape(each.name)}</th>"
-        f"<td>{_number(each.value, 3)} {each.unit}</td>"
+        f"<td>{_bound(each)}{_number(each.value, 3)} {each.unit}</td>"
         f"<td>{_number(each.deviation, 3)} {each.unit}</td>"
         f"<td>{'yes' if each.is_determined else 'no'}</td>"
         f"<td>{'yes' if each.is_applied else 'no'}</td></tr>\n"
@@ -231,6 +232,14 @@ def _sensors(known: compatibility.Compatibility | None, record, many) -> str:
             f"<caption>{title}"
             f"</caption>\n<thead><tr>{heads}</tr></thead>\n<tbody>\n{rows}"
             "</tbody>\n</table></div>\n</section>\n")
+
+
+def _bound(each):
+    """The mark of an error that is beyond its bound."""
+    if not each.is_at_bound:
+        return ""
+    sign = "&lt; " if each.value < 0.0 else "&gt; "
+    return f"{report_page.mark('caution')} {sign}"
 
 
 def _plots(result):
