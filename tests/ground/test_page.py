@@ -622,6 +622,33 @@ def test_fti8_d96_the_panel_of_cards_and_the_key_that_ends_one(
     assert other.locator("#card_file").is_disabled()
 
 
+def test_fti8_a_file_of_cards_that_cannot_be_sent_is_reported(
+        station, pages, tmp_path):
+    """Nothing said that it cannot be read, and "is too long" stayed until the
+    next file."""
+    station.node.laws = (0x1000,)
+    page = pages.open()
+    page.keyboard.press("f")
+    take_sticks(page)
+    page.locator("#end_card:enabled").wait_for()
+    path = tmp_path / "cards.toml"
+    path.write_text("x = 1\n" * 1_000, "utf-8")
+    page.locator("#card_file").set_input_files(path)
+    said = page.locator("#card_order.caution")
+    said.get_by_text("cards.toml is too long").wait_for()
+    page.evaluate("""() => {
+      const now = performance.now.bind(performance);
+      performance.now = () => now() + 11_000;
+    }""")
+    said.get_by_text("cards.toml is too long").wait_for(state="detached")
+    page.evaluate("""() => {
+      File.prototype.text = () => Promise.reject(new Error("gone"));
+    }""")
+    page.locator("#card_file").set_input_files(path)
+    said.get_by_text("cards.toml cannot be read").wait_for()
+    assert station.node.cards == []
+
+
 def test_fti13_the_panel_of_the_recorder(station, pages):
     node = station.node.recorder
     node.rows = recording_of(range(2_000, 2_200))

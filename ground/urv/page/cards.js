@@ -7,6 +7,7 @@ import { byId, html, put, say } from "./draw.js";
 const SHAPE = { waiting: "\u2026 ", taken: "\u2713 ", refused: "\u25c6 ",
   lost: "\u25c6 " };
 const LONGEST = 3_500;
+const WARNED_MS = 10_000;
 
 export class Cards {
   constructor(send, hands) {
@@ -14,6 +15,7 @@ export class Cards {
     this.dialog = byId("cards");
     this.shown = "";
     this.said = "";
+    this.saidAt = 0;
     byId("open_cards").addEventListener("click", () => this.turn());
     byId("close_cards").addEventListener("click", () => this.dialog.close());
     byId("end_card").addEventListener("click", () => {
@@ -39,14 +41,25 @@ export class Cards {
   async read(input) {
     const [file] = input.files;
     if (file === undefined) return;
-    const text = (await file.text()).split("\n")
-      .filter((line) => line.trim() !== "" && !line.trim().startsWith("#"))
-      .join("\n");
+    this.said = "";
+    try {
+      const text = (await file.text()).split("\n")
+        .filter((line) => line.trim() !== "" && !line.trim().startsWith("#"))
+        .join("\n");
+      if (text.length > LONGEST) this.warn(`${file.name} is too long`);
+      else this.send({ t: "cards", text });
+    } catch {
+      this.warn(`${file.name} cannot be read`);
+    }
     input.value = "";
     // The keys fly again.
     document.activeElement?.blur();
-    this.said = text.length > LONGEST ? `\u25c6 ${file.name} is too long` : "";
-    if (this.said === "") this.send({ t: "cards", text });
+  }
+
+  // After 10 s the state of the last sent cards is shown again.
+  warn(text) {
+    this.said = `\u25c6 ${text}`;
+    this.saidAt = performance.now();
   }
 
   draw(cards, mine, silent) {
@@ -66,6 +79,7 @@ export class Cards {
     byId("card_file").disabled = !mine || silent
       || cards.state === "waiting";
     const { state, text } = cards;
+    if (performance.now() - this.saidAt > WARNED_MS) this.said = "";
     say(byId("card_order"), this.said || (!mine ? "take the sticks to send"
       : state === "none" ? "" : (SHAPE[state] ?? "") + text));
     put(byId("card_order"), "class", this.said !== "" || state === "refused"
