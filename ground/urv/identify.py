@@ -65,7 +65,8 @@ def identify(
     # The limit is for damaged files; many records rightly need more.
     resource.setrlimit(resource.RLIMIT_DATA, before)
     try:
-        result = analysis.identify(read, own, finders, hold_out)
+        with progress.bar("estimating") as told:
+            result = analysis.identify(read, own, finders, hold_out, told)
     except MemoryError as fault:
         raise faults.Failed(f"the manoeuvres of {len(read)} records need more"
                             " memory than there is: give fewer") from fault

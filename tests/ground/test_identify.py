@@ -2,9 +2,11 @@
 """GND-61 to GND-65, D-90: bin/urv identify. Derivatives of systems that are known,
 their intervals over many seeds, and a flight of the simulated aircraft."""
 
+import contextlib
 import dataclasses
 import json
 import os
+import pty
 import re
 import subprocess
 import sys
@@ -651,6 +653,45 @@ def test_gnd61_the_errors_of_the_sensors_are_found(identified):
     sensors, = json.loads(
         (identified / "result.json").read_text("utf-8"))["sensors"]
     rate = sensors["bias q"]
+def test_gnd10_identify_shows_its_progress_on_a_terminal(flown, tmp_path):
+    """50 records took 8 minutes without a word."""
+    times = tmp_path / "times.csv"
+    times.write_text("begin_s,end_s,axes\n6,12,both\n", "utf-8")
+    code = ("import sys; from urv import main, progress;"
+            "progress.BEFORE_IT_IS_SHOWN_S = 0.0;"
+            "sys.exit(main.main(['identify', 'record.csv', '--manoeuvres',"
+            f" {str(times)!r}]))")
+    ours, theirs = pty.openpty()
+    done = subprocess.Popen(
+        [sys.executable, "-c", code], cwd=flown, stderr=theirs,
+        stdout=subprocess.DEVNULL,
+        env=os.environ | {"PYTHONPATH": str(ROOT / "ground"),
+                          "TERM": "xterm", "COLUMNS": "80"})
+    os.close(theirs)
+    shown = b""
+    with contextlib.suppress(OSError):
+        while block := os.read(ours, 4_096):
+            shown += block
+    os.close(ours)
+    assert done.wait(60) == 0
+    assert b"estimating" in shown, shown
+
+
+def test_gnd10_the_progress_of_identify_rises_to_its_end(flown):
+    from urv import flights
+    flight = flights.read(flown / "record.csv", lambda _record: None)
+    seen = []
+    analysis.identify(
+        [flight], aircraft.read(), (lambda found: [
+            each for each in manoeuvres.found(found)
+            if each.axes == ("longitudinal",)][:1],),
+        told=lambda work: seen.append((work.position, work.size)))
+    places = [place for place, _ in seen]
+    assert len(places) > 6
+    assert places == sorted(places)
+    assert seen[-1][0] == pytest.approx(seen[-1][1])
+
+
     assert rate["determined"] and rate["unit"] == "deg/s"
     assert rate["value"] == pytest.approx(0.2, abs=0.05)
     assert sensors["bias airspeed"]["value"] == pytest.approx(1.0, abs=1.5)

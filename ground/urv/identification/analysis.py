@@ -38,6 +38,12 @@ FOLLOWS_NOTHING = "the model does not follow the flight"
 CONTRADICTION = "sensors of record {} contradict each other"
 
 NO_MANOEUVRES = "no manoeuvre moves this axis"
+CHECKED, ESTIMATED = 5.0, {"longitudinal": 1.0, "lateral": 2.7}
+"""Work of a record, in seconds of a processor: the check of its sensors, and its
+part in the estimate of each axis."""
+STEPS = 8
+"""Steps of a usual search."""
+
 
 
 @dataclass(frozen=True)
@@ -99,14 +105,42 @@ class Result:
 
 
 def identify(flights, aircraft, finders=manoeuvres.FINDERS,
-             hold_out=1) -> Result:
+             hold_out=1, told=lambda work: None) -> Result:
     """The derivatives of an aircraft from its flights. The last hold_out
     manoeuvres of each axis are for validation, where at least two more remain.
+class Work:
+    """How much of an identification is done, for progress.bar."""
+
+    def __init__(self, records, told):
+        self.told = told
+        self.size = records * (CHECKED + sum(ESTIMATED.values()))
+        self.position = self.done = 0.0
+
+    def finish(self, work):
+        """Adds a finished part."""
+        self.done += work
+        self.position = self.done
+        self.told(self)
+
+    def steps(self, work):
+        """The function to call after each step of a search with that work."""
+        count = 0
+
+        def step():
+            nonlocal count
+            count = min(count + 1, STEPS)
+            self.position = self.done + work * count / (STEPS + 1)
+            self.told(self)
+        return step
+
+
     """
     parts = []
     checks = []
     for record, flight in enumerate(flights):
+    told is called with the work done.
         own = []
+    work = Work(len(flights), told)
         for each in manoeuvres.found(flight, finders):
             flown = Flown(each, record, reason=each.reason)
             own.append(flown)
@@ -131,6 +165,7 @@ def identify(flights, aircraft, finders=manoeuvres.FINDERS,
         parts += own
     deviations = {
         name: {record: getattr(known, f"{name}_deviation")
+        work.finish(CHECKED)
                for record, known in enumerate(checks) if known}
         for name in ("airspeed", "alpha")}
     axes = {}
@@ -138,13 +173,17 @@ def identify(flights, aircraft, finders=manoeuvres.FINDERS,
         # A manoeuvre of both axes has a part in each.
         flown = [Flown(each.manoeuvre, each.record, each.segment, each.reason)
                  for each in parts if kind.axis in each.manoeuvre.axes]
-        axes[kind.axis] = of_axis(kind(aircraft, deviations), flown, hold_out)
+        share = len(flights) * ESTIMATED[kind.axis]
+        axes[kind.axis] = of_axis(kind(aircraft, deviations), flown, hold_out,
+                                  work.steps(share))
+        work.finish(share)
         doubt(axes[kind.axis], checks)
     return Result([str(flight.path) for flight in flights], checks, axes)
 
 
-def of_axis(airframe, flown, hold_out) -> Axis:
-    """Equation error, output error, then validation."""
+def of_axis(airframe, flown, hold_out, told=lambda: None) -> Axis:
+    """Equation error, output error, then validation. told is called after each
+    step."""
     result = Axis(airframe.axis, airframe.outputs, flown)
     usable = [each for each in flown if each.segment is not None]
     if not usable:
@@ -160,7 +199,7 @@ def of_axis(airframe, flown, hold_out) -> Axis:
              for variable in start.missing}
     problem = output_error.Problem(airframe, segments, fixed)
     begin(problem, airframe, start, segments)
-    fit = output_error.estimate(problem)
+    fit = output_error.estimate(problem, told)
     result.fit = fit
     for each, outputs, residuals in zip(used, fit.outputs, fit.residuals,
                                         strict=True):

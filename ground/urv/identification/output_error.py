@@ -176,6 +176,7 @@ class Problem:
         self.priors = [(index, *prior) for index, prior in enumerate(priors)
                        if prior is not None]
         self.kept = {}
+        self.told = lambda: None
         self.longest = max(len(each.times) for each in segments)
         self.measured = [model.measured(each) for each in segments]
 
@@ -205,6 +206,8 @@ class Problem:
             while len(self.kept) >= MOST_KEPT:
                 del self.kept[next(iter(self.kept))]
             self.kept[key] = with_changes, result
+            if with_changes:
+                self.told()
         return self.kept[key][1]
 
     def integrated(self, vector, with_changes):
@@ -396,8 +399,10 @@ class Problem:
         return numpy.maximum(numpy.sqrt(squares / many), 1e-9)
 
 
-def estimate(problem: Problem) -> Fit:
-    """The maximum of the likelihood."""
+def estimate(problem: Problem, told=lambda: None) -> Fit:
+    """The maximum of the likelihood. told is called after each step of the
+    search."""
+    problem.told = told
     base, _ = problem.integrate(problem.start, False)
     noise = problem.noise(problem.differences(base))
     has_converged = False
