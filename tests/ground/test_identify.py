@@ -28,6 +28,7 @@ from urv.identification import (
     bounds,
     cautions,
     compatibility,
+    consistency,
     equation_error,
     manoeuvres,
     measurements,
@@ -526,6 +527,36 @@ def pitching(model, own, record):
             strict=True)})
 
 
+def test_gnd63_a_record_of_another_aircraft_is_named():
+    """The longitudinal axis of two aircraft together had a fit of 0.21 and no
+    caution."""
+    own = dataclasses.replace(aircraft.read(), delays={})
+    other = dataclasses.replace(own, prior=own.prior | {
+        name: factor * own.prior[name] for name, factor in (
+            ("CZ_alpha", 0.84), ("Cm_alpha", 0.6), ("Cm_elevator", 0.4))})
+    known = {name: dict.fromkeys(range(4), 0.01)
+             for name in ("airspeed", "alpha")}
+    model = airframes.Longitudinal(own, known)
+    parts = [pitching(model, own, record) for record in (0, 1, 3)]
+    odd = pitching(model, other, 2)
+    assert consistency.different(model, parts[:1]) == {}
+    assert consistency.different(model, parts) == {}
+    found = consistency.different(model, [*parts, odd])
+    assert list(found) == [2]
+    assert set(found[2]) == {"Cm_alpha", "Cm_elevator"}
+    assert found[2]["Cm_elevator"] == pytest.approx(0.6, abs=0.1)
+    # Of two records none is the odd one.
+    assert list(consistency.different(model, [parts[0], odd])) == [0, 2]
+    said, = cautions.of(analysis.Result(
+        ["a.csv", "b.csv"], [sensors(), sensors()],
+        {"longitudinal": analysis.Axis(
+            "longitudinal", (), [],
+            different={1: {"Cm_alpha": 0.4, "Cm_elevator": 0.6}})}), own)
+    assert said == (
+        '"b.csv": Cm_alpha, Cm_elevator differ from those of the other records'
+        " by up to 60%; is it a record of the same aircraft and load?")
+
+
 @pytest.mark.parametrize("airspeed_ft_s, delays_ms", [(6.0, 0.01),
                                                       (0.01, 20.0)])
 def test_gnd62_more_records_make_common_errors_no_smaller(
@@ -622,37 +653,6 @@ def identified(flown):
     return flown
 
 
-MAIN = ("CZ_alpha", "Cm_alpha", "Cm_q", "Cm_elevator", "Cl_p", "Cl_beta",
-        "Cl_aileron", "Cn_beta", "Cn_r", "Cn_rudder")
-
-
-def test_gnd64_main_derivatives_of_a_flight_are_near_the_truth(identified):
-    result = json.loads((identified / "result.json").read_text("utf-8"))
-    found = {}
-    for axis in result["axes"].values():
-        assert axis["converged"]
-        found |= axis["derivatives"]
-    for name in MAIN:
-        each = found[name]
-        assert each["determined"], name
-        assert each["low"] < each["value"] < each["high"]
-        assert each["value"] == pytest.approx(each["prior"], rel=0.05), name
-
-
-def test_gnd61_manoeuvres_are_found_by_the_sticks(identified):
-    result = json.loads((identified / "result.json").read_text("utf-8"))
-    for axis in result["axes"].values():
-        uses = [each["use"] for each in axis["manoeuvres"]]
-        assert uses == ["estimation"] * 3 + ["validation"]
-        assert {each["found_by"] for each in axis["manoeuvres"]} == {"sticks"}
-        # Validation: the computed outputs are those of the flight.
-        assert max(axis["manoeuvres"][-1]["inequality"].values()) < 0.3
-
-
-def test_gnd61_the_errors_of_the_sensors_are_found(identified):
-    sensors, = json.loads(
-        (identified / "result.json").read_text("utf-8"))["sensors"]
-    rate = sensors["bias q"]
 def test_gnd10_identify_shows_its_progress_on_a_terminal(flown, tmp_path):
     """50 records took 8 minutes without a word."""
     times = tmp_path / "times.csv"
@@ -692,6 +692,37 @@ def test_gnd10_the_progress_of_identify_rises_to_its_end(flown):
     assert seen[-1][0] == pytest.approx(seen[-1][1])
 
 
+MAIN = ("CZ_alpha", "Cm_alpha", "Cm_q", "Cm_elevator", "Cl_p", "Cl_beta",
+        "Cl_aileron", "Cn_beta", "Cn_r", "Cn_rudder")
+
+
+def test_gnd64_main_derivatives_of_a_flight_are_near_the_truth(identified):
+    result = json.loads((identified / "result.json").read_text("utf-8"))
+    found = {}
+    for axis in result["axes"].values():
+        assert axis["converged"]
+        found |= axis["derivatives"]
+    for name in MAIN:
+        each = found[name]
+        assert each["determined"], name
+        assert each["low"] < each["value"] < each["high"]
+        assert each["value"] == pytest.approx(each["prior"], rel=0.05), name
+
+
+def test_gnd61_manoeuvres_are_found_by_the_sticks(identified):
+    result = json.loads((identified / "result.json").read_text("utf-8"))
+    for axis in result["axes"].values():
+        uses = [each["use"] for each in axis["manoeuvres"]]
+        assert uses == ["estimation"] * 3 + ["validation"]
+        assert {each["found_by"] for each in axis["manoeuvres"]} == {"sticks"}
+        # Validation: the computed outputs are those of the flight.
+        assert max(axis["manoeuvres"][-1]["inequality"].values()) < 0.3
+
+
+def test_gnd61_the_errors_of_the_sensors_are_found(identified):
+    sensors, = json.loads(
+        (identified / "result.json").read_text("utf-8"))["sensors"]
+    rate = sensors["bias q"]
     assert rate["determined"] and rate["unit"] == "deg/s"
     assert rate["value"] == pytest.approx(0.2, abs=0.05)
     assert sensors["bias airspeed"]["value"] == pytest.approx(1.0, abs=1.5)

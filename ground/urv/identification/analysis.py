@@ -11,6 +11,7 @@ from scipy import stats
 from urv.identification import (
     airframes,
     compatibility,
+    consistency,
     equation_error,
     manoeuvres,
     measurements,
@@ -37,13 +38,13 @@ FOLLOWS_NOTHING = "the model does not follow the flight"
 
 CONTRADICTION = "sensors of record {} contradict each other"
 
-NO_MANOEUVRES = "no manoeuvre moves this axis"
 CHECKED, ESTIMATED = 5.0, {"longitudinal": 1.0, "lateral": 2.7}
 """Work of a record, in seconds of a processor: the check of its sensors, and its
 part in the estimate of each axis."""
 STEPS = 8
 """Steps of a usual search."""
 
+NO_MANOEUVRES = "no manoeuvre moves this axis"
 
 
 @dataclass(frozen=True)
@@ -93,6 +94,9 @@ class Axis:
     fit: output_error.Fit | None = None
     reason: str = ""
     """Why there is no result."""
+    different: dict[int, dict[str, float]] = field(default_factory=dict)
+    """Records whose own derivatives differ from those of the others:
+    consistency.different."""
 
 
 @dataclass
@@ -104,10 +108,6 @@ class Result:
     axes: dict[str, Axis]
 
 
-def identify(flights, aircraft, finders=manoeuvres.FINDERS,
-             hold_out=1, told=lambda work: None) -> Result:
-    """The derivatives of an aircraft from its flights. The last hold_out
-    manoeuvres of each axis are for validation, where at least two more remain.
 class Work:
     """How much of an identification is done, for progress.bar."""
 
@@ -134,13 +134,17 @@ class Work:
         return step
 
 
+def identify(flights, aircraft, finders=manoeuvres.FINDERS,
+             hold_out=1, told=lambda work: None) -> Result:
+    """The derivatives of an aircraft from its flights. The last hold_out
+    manoeuvres of each axis are for validation, where at least two more remain.
+    told is called with the work done.
     """
+    work = Work(len(flights), told)
     parts = []
     checks = []
     for record, flight in enumerate(flights):
-    told is called with the work done.
         own = []
-    work = Work(len(flights), told)
         for each in manoeuvres.found(flight, finders):
             flown = Flown(each, record, reason=each.reason)
             own.append(flown)
@@ -161,11 +165,11 @@ class Work:
             for each in usable:
                 each.segment = measurements.smooth_airspeed(
                     compatibility.corrected(each.segment, known))
+        work.finish(CHECKED)
         checks.append(known)
         parts += own
     deviations = {
         name: {record: getattr(known, f"{name}_deviation")
-        work.finish(CHECKED)
                for record, known in enumerate(checks) if known}
         for name in ("airspeed", "alpha")}
     axes = {}
@@ -174,8 +178,13 @@ class Work:
         flown = [Flown(each.manoeuvre, each.record, each.segment, each.reason)
                  for each in parts if kind.axis in each.manoeuvre.axes]
         share = len(flights) * ESTIMATED[kind.axis]
-        axes[kind.axis] = of_axis(kind(aircraft, deviations), flown, hold_out,
-                                  work.steps(share))
+        airframe = kind(aircraft, deviations)
+        axis = of_axis(airframe, flown, hold_out, work.steps(share))
+        # Gusts make derivatives that differ, and have a caution of their own.
+        axis.different = consistency.different(
+            airframe, [each.segment for each in flown if each.segment
+                       and not checks[each.record].is_rough])
+        axes[kind.axis] = axis
         work.finish(share)
         doubt(axes[kind.axis], checks)
     return Result([str(flight.path) for flight in flights], checks, axes)

@@ -35,7 +35,7 @@ LEAST_PRIORS = 4
 def of(result: analysis.Result, aircraft: aircraft_file.Aircraft
        ) -> list[str]:
     """Each caution is a sentence without its end."""
-    return [*_of_records(result), *_of_axes(result),
+    return [*_of_records(result), *_of_different(result), *_of_axes(result),
             *_of_priors(result, aircraft)]
 
 
@@ -65,6 +65,17 @@ def _of_records(result):
                         and not SCALES[0] <= each.value <= SCALES[1])):
                 yield (f"{name}: {each.name.partition(' ')[2]} has a factor of"
                        f" {each.value:.2f}; is its sign or unit wrong?")
+
+
+def _of_different(result):
+    for record, path in enumerate(result.records):
+        found = {}
+        for axis in result.axes.values():
+            found |= axis.different.get(record, {})
+        if found:
+            yield (f"{faults.quoted(path)}: {', '.join(found)} differ from those"
+                   f" of the other records by up to {max(found.values()):.0%};"
+                   " is it a record of the same aircraft and load?")
 
 
 def _of_axes(result):
