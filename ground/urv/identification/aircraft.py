@@ -27,8 +27,9 @@ LONGEST_NAME = 60
 MOMENTS, MOMENTS_BY_AIRFLOW = "moments", "moments_by_airflow"
 DELAYED = ("attitude", "rates", "accelerations", "airflow",
            MOMENTS, MOMENTS_BY_AIRFLOW)
-"""Groups of sensors with a delay of their own, measurements.GROUPS; and the moments of
-a simulation that integrates by steps, after rates and surfaces and after the airflow."""
+"""Groups of sensors with a delay of their own, measurements.GROUPS; and the moments
+of a simulation that integrates by steps, after rates and surfaces and after the
+airflow."""
 MOST_DELAY_MS = 500.0
 DEVIATION_MS = 2.0
 LEAST_DEVIATION_MS = 0.01

@@ -121,9 +121,10 @@ EXPLANATION = """\
 <footer>
 <p>Derivatives are per radian, of the body axes, with rates as p b/2V, q c/2V
 and r b/2V; surfaces in the pilot's sense. Intervals are of 95 %, corrected for
-coloured residuals; they contain the uncertainty of delays and of the airspeed, and
-the difference of both methods. Prior values are for comparison only. The fit of an output
-is Theil's inequality coefficient: 0 is exact, below 0.3 is good.</p>
+coloured residuals; they contain the uncertainty of delays, of the airspeed and of the
+drag's direction, and the difference of both methods. Prior values are for comparison
+only. The fit of an output is Theil's inequality coefficient: 0 is exact, below 0.3 is
+good.</p>
 </footer>
 """
 
