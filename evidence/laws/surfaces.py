@@ -280,9 +280,9 @@ def sound_section(flights, alarms):
 Servos with half to one and a half times the modelled lag of 0.1 s (the
 bench's: 32 to 150 ms) and rate limit, and dead bands of up to 1 % of the travel;
 sticks that step, sweep, jump by chance and move to the stops, in every mode;
-link cuts and restarts in three of ten flights. In {flights} flights of
-{sound_flights.SECONDS} s ({flights - with_jsbsim} on the bench, {with_jsbsim}
-with JSBSim) a sound surface or engine was reported in {alarms}.
+link cuts and restarts in three of ten flights. In {flights:,} flights of
+{sound_flights.SECONDS} s ({flights - with_jsbsim:,} on the bench,
+{with_jsbsim:,} with JSBSim) a sound surface or engine was reported in {alarms}.
 """
 
 
@@ -310,7 +310,8 @@ def main():
         alarms = sounded(chosen.jobs, chosen.sound)
         print(sound_section(chosen.sound, alarms), end="")
         if chosen.renew:
-            before = PAGE.read_text(encoding="utf-8").partition(SOUND)[0]
+            before = PAGE.read_text(encoding="utf-8").partition(
+                SOUND)[0].rstrip("\n") + "\n\n"
             PAGE.write_text(before + sound_section(chosen.sound, alarms),
                             encoding="utf-8")
         sys.exit("surfaces: a sound surface was named" if alarms else 0)
