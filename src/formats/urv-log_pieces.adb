@@ -11,13 +11,15 @@ package body URV.Log_Pieces with SPARK_Mode is
       Value : constant Word := Item mod 256;
    begin
       Complete := False;
+      This.Silent := 0;
 
       if Where = 1 then
          if Value in Word (Log_Row_Number'First) .. Word (Log_Row_Number'Last)
          then
-            This := (Got   => 1,
-                     Which => Log_Row_Number (Value),
-                     Row   => No_Errors);
+            This := (Got    => 1,
+                     Which  => Log_Row_Number (Value),
+                     Row    => No_Errors,
+                     Silent => 0);
          else
             This.Got := 0;
          end if;

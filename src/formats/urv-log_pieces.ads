@@ -6,7 +6,9 @@
 --
 --  A fragment has 12 bits: the place, 1 to 15, and the byte. 0 is no fragment.
 --  The receiver takes a row after all its fragments have come in order. A
---  missed fragment comes again with its row.
+--  missed fragment comes again with its row. A row also ends when no fragment
+--  comes for some frames: after a gap of 15 fragments another row continues at
+--  the expected place.
 
 with URVOS;           use URVOS;
 with URV.CORE_Memory; use URV.CORE_Memory;
@@ -69,12 +71,19 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
      Global => null,
      Post   => Piece_At'Result /= No_Piece;
 
-   --  The row under reception: its number, and the number of its fragments
-   --  received.
+   --  Frames in a row without a fragment, and the number after which a row
+   --  ends. It is half of a row, so that the frames of the nodes need not
+   --  agree.
+   Most_Silent : constant := Place'Last / 2;
+   subtype Silent_Count is Place_Count range 0 .. Most_Silent;
+
+   --  The row under reception: its number, the number of its fragments
+   --  received, and the frames since the last one.
    type Receiver is record
-      Got   : Place_Count    := 0;
-      Which : Log_Row_Number := 1;
-      Row   : Log_Row        := No_Errors;
+      Got    : Place_Count    := 0;
+      Which  : Log_Row_Number := 1;
+      Row    : Log_Row        := No_Errors;
+      Silent : Silent_Count   := 0;
    end record;
 
    --  The row after one more byte.
@@ -112,14 +121,22 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
          (if Item / 256 = 1
             and then Item mod 256 in Word (Log_Row_Number'First)
                                        .. Word (Log_Row_Number'Last)
-          then (Got   => 1,
-                Which => Log_Row_Number (Item mod 256),
-                Row   => No_Errors)
+          then (Got    => 1,
+                Which  => Log_Row_Number (Item mod 256),
+                Row    => No_Errors,
+                Silent => 0)
           elsif Is_Next (This'Old, Item)
-          then (Got   => This'Old.Got + 1,
-                Which => This'Old.Which,
-                Row   => Extended
-                  (This'Old.Row, This'Old.Got + 1, Item mod 256))
-          else (This'Old with delta Got => 0));
+          then (Got    => This'Old.Got + 1,
+                Which  => This'Old.Which,
+                Row    => Extended
+                  (This'Old.Row, This'Old.Got + 1, Item mod 256),
+                Silent => 0)
+          else (This'Old with delta Got => 0, Silent => 0));
+
+   --  The row under reception after a frame without a fragment.
+   function After_Silence (This : Receiver) return Receiver is
+     (if This.Silent = Most_Silent then (This with delta Got => 0)
+      else (This with delta Silent => This.Silent + 1))
+   with Global => null;
 
 end URV.Log_Pieces;

@@ -58,6 +58,7 @@ package body GSC with SPARK_Mode is
       TELOUT_Variable.Reset;
       Console_Orders.Reset;
       Recorder_Blocks.Reset;
+      Log_Receiver.Restart;
       GDCIN.Reset;
    end Reset_Variables;
 
@@ -73,6 +74,7 @@ package body GSC with SPARK_Mode is
       TELOUT_Variable.Restart;
       Console_Orders.Restart;
       Recorder_Blocks.Restart;
+      Log_Receiver.Restart;
    end Restart_Variables;
 
    procedure Set_Time (Now : Clock_Tick) is

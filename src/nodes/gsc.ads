@@ -97,7 +97,7 @@ package GSC with SPARK_Mode is
 
    package GDCIN is new URV.GDCIN_Task
      (TELIN_Variable, Downlink_Variable, Recorder_Blocks, Errors,
-      Log_Receiver.Take_Piece);
+      Log_Receiver.Take_Piece, Log_Receiver.Miss_Piece);
 
    package GDCOUT is new URV.GDCOUT_Task
      (AD_Variable, Uplink_Variable, TELOUT_Variable, Console_Orders, Status,

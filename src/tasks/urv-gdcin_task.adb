@@ -61,6 +61,8 @@ package body URV.GDCIN_Task with SPARK_Mode is
       end if;
       if Has_Piece (Message.Words) then
          Take_Piece (Next);
+      else
+         Miss_Piece;
       end if;
    end Run_Transaction;
 

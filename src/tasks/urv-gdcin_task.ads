@@ -24,6 +24,7 @@ generic
    Recorder_Blocks   : in out For_Downlink.Variable;
    Errors            : in out Shared_Log;
    with procedure Take_Piece (Item : Piece);
+   with procedure Miss_Piece;
 package URV.GDCIN_Task with SPARK_Mode is
 
    package Stores is

@@ -13,4 +13,15 @@ package body URV.Log_Receivers with SPARK_Mode is
       end if;
    end Take_Piece;
 
+   procedure Miss_Piece is
+      Coming : constant Receiver := Incoming.Contents;
+   begin
+      Incoming.Write (After_Silence (Coming));
+   end Miss_Piece;
+
+   procedure Restart is
+   begin
+      Incoming.Write ((others => <>));
+   end Restart;
+
 end URV.Log_Receivers;

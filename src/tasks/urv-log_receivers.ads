@@ -20,4 +20,12 @@ package URV.Log_Receivers with SPARK_Mode is
    procedure Take_Piece (Item : Piece)
    with Global => (In_Out => (Incoming, CORE_Memory));
 
+   --  A frame without a fragment.
+   procedure Miss_Piece
+   with Global => (In_Out => Incoming);
+
+   --  Ends the row under reception: during a start fragments are missed.
+   procedure Restart
+   with Global => (In_Out => Incoming);
+
 end URV.Log_Receivers;

@@ -9,8 +9,10 @@ with Telemetry.Receivers; use Telemetry.Receivers;
 with Telemetry.Shared_Boards;
 with URVOS;               use URVOS;
 with URVOS.Frames;        use URVOS.Frames;
+with URV.Card_Status;
 with URV.CORE_Memory;     use URV.CORE_Memory;
 with URV.Errors;          use URV.Errors;
+with URV.LAW_Steps;
 with URV.Law_Status;
 with URV.Laws;
 with URV.Log_Pieces;      use URV.Log_Pieces;
@@ -36,7 +38,9 @@ package body LOG_Task_Tests is
    procedure Status_Kept;
    procedure Whole_Log;
    procedure Pieces_Lost;
+   procedure Row_Lost;
    procedure No_Such_Row;
+   procedure Rows_In_Turn;
    procedure Age_Of_Node;
 
    --  The task's surroundings. The board is an aircraft's, and keeps the
@@ -99,6 +103,8 @@ package body LOG_Task_Tests is
       Log_Sender.Next (Piece_Sent);
       if not Is_Lost then
          Log_Receiver.Take_Piece (Piece_Sent);
+      else
+         Log_Receiver.Miss_Piece;
       end if;
    end Fly_Frame;
 
@@ -475,6 +481,34 @@ package body LOG_Task_Tests is
          16#1234#);
    end Pieces_Lost;
 
+   procedure Row_Lost is
+      Place : constant array (Boolean) of Word := (16#1111#, 16#2222#);
+   begin
+      --  Two kinds of errors take turns. After a gap of a whole row the other
+      --  row continues at the place that the first one had.
+      for Gap in 14 .. 16 loop
+         for Begun in 1 .. 14 loop
+            Begin_Test;
+            Errors.Report (No_Input, Place (False));
+            Errors.Report (No_Output, Place (True));
+            for Frame in 1 .. 15 + Begun + Gap + 15 loop
+               Is_Lost := Frame in 16 + Begun .. 15 + Begun + Gap;
+               Fly_Frame;
+               for Kind in Error_Kind loop
+                  Expect
+                    (Kind'Image & " whole after" & Gap'Image & Begun'Image,
+                     CORE.Contents.Aircraft_Log (Error_Kind'Pos (Kind) + 1)
+                       (Last_Detail) in 0
+                     | (if Kind = No_Input then Place (False)
+                        elsif Kind = No_Output then Place (True) else 0),
+                     True);
+               end loop;
+            end loop;
+         end loop;
+      end loop;
+      Is_Lost := False;
+   end Row_Lost;
+
    procedure No_Such_Row is
       Item     : URV.Log_Pieces.Receiver;
       Complete : Boolean;
@@ -491,6 +525,42 @@ package body LOG_Task_Tests is
          Expect_Number ("nor goes on", Integer (Item.Got), 0);
       end loop;
    end No_Such_Row;
+
+   procedure Rows_In_Turn is
+      Off  : constant URV.Laws.Settings   := Law_Settings.Contents;
+      Kept : constant URV.LAW_Steps.Kept  := Law_Memory.Contents;
+      Came : array (Log_Row_Number) of Natural;
+   begin
+      --  With a card aboard each row of an error is followed by that of the
+      --  laws or of the cards, in turn. Each comes within four rows.
+      Begin_Test;
+      Law_Settings.Write ((Off with delta On => True));
+      Law_Memory.Write
+        ((Kept with delta
+            Cards => (Kept.Cards with delta
+              Run => (Kept.Cards.Run with delta Chosen => 1))));
+      Errors.Report (No_Input, 0);
+      Came := (others => 0);
+      for Round in 1 .. 6 loop
+         CORE.Clear;
+         for Frame in 1 .. 4 * 15 loop
+            Fly_Frame;
+         end loop;
+         for Which in Log_Row_Number loop
+            if CORE.Contents.Aircraft_Log (Which) /= No_Errors then
+               Came (Which) := Came (Which) + 1;
+            end if;
+         end loop;
+      end loop;
+      Expect_Number
+        ("laws", Came (URV.Law_Status.Row_Number), 6);
+      Expect_Number
+        ("cards", Came (URV.Card_Status.Row_Number), 6);
+      Expect_Number
+        ("errors", Came (Error_Kind'Pos (No_Input) + 1), 6);
+      Law_Settings.Write (Off);
+      Law_Memory.Write (Kept);
+   end Rows_In_Turn;
 
    procedure Age_Of_Node is
       Off : constant URV.Laws.Settings := Law_Settings.Contents;
@@ -558,8 +628,14 @@ package body LOG_Task_Tests is
         (Suite, "SAF-7 a row of the log comes whole or not at all",
          Pieces_Lost'Access);
       Add
+        (Suite, "SAF-7 after a gap of a row no two rows are mixed",
+         Row_Lost'Access);
+      Add
         (Suite, "SAF-7 a row that there is not is not taken",
          No_Such_Row'Access);
+      Add
+        (Suite, "FTI-2 the rows of the laws and the cards take turns",
+         Rows_In_Turn'Access);
       Add
         (Suite, "GND-45 the ground knows the age of the aircraft's node",
          Age_Of_Node'Access);
