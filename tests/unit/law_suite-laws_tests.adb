@@ -26,6 +26,7 @@ package body Laws_Tests is
    procedure Signs;
    procedure Let_Go_Of_The_Altitude;
    procedure Falling_Back;
+   procedure Rudder_Falls_Back;
    procedure Range_Check;
    procedure Rate_Check;
    procedure No_Rule;
@@ -292,6 +293,20 @@ package body Laws_Tests is
       Expect ("without a nose damping of pitch", Item.Flown =
                 (Bank_By_Stick, Damping, Hold_Airspeed), True);
    end Falling_Back;
+
+   procedure Rudder_Falls_Back is
+      Commands : constant Uplink_Buffer := With_On (Switch_1);
+      Turning  : constant Downlink_Buffer :=
+        Measuring (Yaw_Rate, Neutral_Value + 500);
+      Item     : URV.Laws.Memory := Warm (Commands, Turning);
+   begin
+      Expect ("the yaw rate is damped", Item.Last.Yaw < 0, True);
+      Fly (Item, 100, Commands, Measuring (Yaw_Rate, 0));
+      Expect ("roll is still damped", Item.Flown.Lateral = Damping, True);
+      Expect
+        ("without its rate the rudder is the stick's",
+         Item.Is_Stick (Yaw_Axis), True);
+   end Rudder_Falls_Back;
 
    procedure Range_Check is
       Item : URV.Laws.Memory := Warm;
@@ -800,6 +815,8 @@ package body Laws_Tests is
            Let_Go_Of_The_Altitude'Access);
       Add (Suite, "EXT-3 a law whose sensor is not valid falls back",
            Falling_Back'Access);
+      Add (Suite, "EXT-3 the rudder falls back to its stick alone",
+           Rudder_Falls_Back'Access);
       Add (Suite, "EXT-3 three words out of range are not valid",
            Range_Check'Access);
       Add (Suite, "EXT-3 a word that jumps away is not believed",

@@ -33,6 +33,8 @@ package body Surfaces_Tests is
    procedure Engine_Follows;
    procedure Engine_Does_Not;
    procedure Engine_Held;
+   procedure Engine_Run_Up;
+   procedure Begins_Again;
    procedure Engine_Unknown;
    procedure Equality;
 
@@ -509,6 +511,44 @@ package body Surfaces_Tests is
       Expect ("told of one that has moved", Engine.Watch.Failed, True);
    end Engine_Held;
 
+   procedure Engine_Run_Up is
+      Engine : Engine_Rig;
+   begin
+      --  The speed has moved before the take-off, and is constant after it.
+      Engine.Watch := Engines.Next
+        (Engine.Watch, 0, 1_140, 0, Is_Known => True);
+      Engine.Watch := Engines.Next
+        (Engine.Watch, 0, 1_140 + Engines.Movement, 0, Is_Known => True);
+      Expect ("has moved", Engine.Watch.Has_Moved, True);
+      for Frame in 1 .. 500 loop
+         Engine.Watch := Engines.Next
+           (Engine.Watch, 4_095, 1_148, Engines.Cruise, Is_Known => True);
+      end loop;
+      Expect ("told of a stuck one", Engine.Watch.Failed, True);
+   end Engine_Run_Up;
+
+   procedure Begins_Again is
+      Before : constant Monitor :=
+        (Doubts  => (others => 5),
+         Unknown => 0,
+         Engine  => (Doubt => 3, Failed => True, others => <>),
+         others  => <>);
+      After  : constant Monitor := Restarted (Before);
+   begin
+      Expect
+        ("no doubt remains", (for all Doubt of After.Doubts => Doubt = 0),
+         True);
+      Expect_Number ("unknown frames", After.Unknown, 3);
+      Expect ("the engine's failure", After.Engine.Failed, True);
+      Expect_Number ("its doubt", After.Engine.Doubt, 0);
+
+      --  Only words that are sent make the servos known.
+      Expect_Number
+        ("without words", With_None_Sent (After).Unknown, 3);
+      Expect_Number
+        ("with words", With_Sent (After, After.Sent).Unknown, 2);
+   end Begins_Again;
+
    procedure Engine_Unknown is
       Engine : Engine_Rig;
    begin
@@ -585,6 +625,10 @@ package body Surfaces_Tests is
            Engine_Does_Not'Access);
       Add (Suite, "EXT-6 a speed that is held is not reported",
            Engine_Held'Access);
+      Add (Suite, "EXT-6 after a start three frames of words are unknown",
+           Begins_Again'Access);
+      Add (Suite, "EXT-6 a speed that moved on the ground is measured",
+           Engine_Run_Up'Access);
       Add (Suite, "EXT-6 no engine is reported on the ground or unseen",
            Engine_Unknown'Access);
       Add (Suite, "EXT-6 monitors with one other component are not equal",

@@ -33,7 +33,9 @@ package body Test_Cards_Tests is
    procedure Rates;
    procedure Switch_Starts;
    procedure Ends_By;
+   procedure Limits_Alone;
    procedure Next_Card;
+   procedure Broken_Off;
    procedure Disconnect_Cuts;
    procedure Restart_Ends;
    procedure Servo_Words;
@@ -493,6 +495,66 @@ package body Test_Cards_Tests is
       Expect_End ("low", With_Word (Altitude, 599), Envelope_Left);
    end Ends_By;
 
+   procedure Limits_Alone is
+      type Limit_Name is (None, Bank, Pitch, Alpha, Load, Slow, Fast, Low);
+
+      --  A card with one limit.
+      function Card_With (Name : Limit_Name) return Card is
+        ((Doublet_Card with delta
+            Attitude =>
+              (if Name = Bank then 45 else 63)
+              + 64 * (if Name = Pitch then 30 else 63),
+            Airflow  =>
+              (if Name = Alpha then 12 else 63)
+              + 64 * (if Name = Load then 10 else 63),
+            Slowest  => (if Name = Slow then 55 * 32 else 0),
+            Fastest  => (if Name = Fast then 100 * 32 else 4_095),
+            Lowest   => (if Name = Low then 600 else 0)));
+
+      --  The card needs this sensor.
+      function Needs (Name : Limit_Name; Item : Sensor_Item) return Boolean
+      is
+        (case Name is
+            when None        => False,
+            when Bank        => Item = Roll_Attitude,
+            when Pitch       => Item = Pitch_Attitude,
+            when Alpha       => Item = Alpha,
+            when Load        => Item = Vertical_Acceleration,
+            when Slow | Fast => Item = Airspeed,
+            when Low         => Item = Altitude);
+   begin
+      for Name in Limit_Name loop
+         Expect
+           (Name'Image & " is in range", Is_Loaded (Card_With (Name)), True);
+         for Item in Sensor_Item loop
+            Expect_Verdict
+              (Name'Image & " without " & Item'Image,
+               Judged
+                 (Card_With (Name),
+                  (Switched with delta
+                     Checks => (Switched.Checks with delta
+                       Item => (Switched.Checks (Item) with delta
+                          Is_Valid => False)))),
+               (if Needs (Name, Item) then Sensor_Invalid else Well));
+         end loop;
+      end loop;
+   end Limits_Alone;
+
+   procedure Broken_Off is
+      Item : Aboard := Nothing_Aboard;
+   begin
+      --  A card that a condition has ended is flown again, not the next one.
+      Fly (Item, 1);
+      Take (Item, Doublet_Card);
+      Take (Item, Sweep_Card);
+      Fly (Item, 10, Switched);
+      Fly (Item, 1);
+      Expect_Verdict ("broken off", Item.Run.Reason, Switched_Off);
+      Expect_Number ("still chosen", Integer (Item.Run.Chosen), 1);
+      Fly (Item, 1, Switched);
+      Expect_Number ("it runs again", Integer (Item.Run.Running), 1);
+   end Broken_Off;
+
    procedure Next_Card is
       Item : Aboard := Nothing_Aboard;
    begin
@@ -780,7 +842,11 @@ package body Test_Cards_Tests is
       Add (Suite, "FTI-3 an input has its rate and amplitude", Rates'Access);
       Add (Suite, "FTI-4 only switch 5 starts a card", Switch_Starts'Access);
       Add (Suite, "FTI-5 each reason ends a card", Ends_By'Access);
+      Add (Suite, "FTI-5 each limit needs its own sensor alone",
+           Limits_Alone'Access);
       Add (Suite, "FTI-4 the next card is chosen", Next_Card'Access);
+      Add (Suite, "FTI-4 a card that was broken off stays chosen",
+           Broken_Off'Access);
       Add
         (Suite, "FTI-5 a disconnect takes inputs away at once",
          Disconnect_Cuts'Access);

@@ -22,12 +22,16 @@ with URVOS.Starts;
 with URVOS.Task_Trees;  use URVOS.Task_Trees;
 with URV.AD_Scans;
 with URV.Buffers;       use URV.Buffers;
+with URV.Card_Status;
 with Plain_Messages;
 with URV.Codecs;
 with URV.CORE_Layout;   use URV.CORE_Layout;
 with URV.CORE_Memory;   use URV.CORE_Memory;
 with URV.Errors;        use URV.Errors;
+with URV.LAW_Steps;
 with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Recorder_Rows;
+with URV.Test_Runs;
 with URV.Type_Codes;    use URV.Type_Codes;
 
 separate (Node_Suite)
@@ -47,6 +51,9 @@ package body Starts_Tests is
    procedure Boards_Of_Aircraft;
    procedure Variables_Of_Aircraft;
    procedure Variables_Of_Ground;
+   procedure Orders_Of_Both;
+   procedure Cards_Of_Aircraft;
+   procedure Rows_Of_Aircraft;
    procedure Transmit_Half;
    procedure Receive_Half;
    procedure Converters;
@@ -415,6 +422,139 @@ package body Starts_Tests is
       Downlink ("downlink_variable", Ground);
       TELOUT ("TELOUT_variable", Ground);
    end Variables_Of_Ground;
+
+   procedure Orders_Of_Both is
+
+      --  A message that no task has taken before a start is not taken after
+      --  it.
+      generic
+         with package Messages is new URVOS.Shared_Mailboxes (<>);
+         Variable : in out Messages.Variable;
+         Order    : Messages.Message;
+      procedure Expect_Order (What : String; Node : Station);
+
+      procedure Expect_Order (What : String; Node : Station) is
+         use type Messages.Message;
+         Unused : Boolean;
+         After  : Messages.Boxes.Mailbox;
+      begin
+         for Condition in Condition_Name loop
+            Fly_Before;
+            Variable.Send (Order, Unused);
+            Begin_Again (Node, Condition);
+            After := Variable.Snapshot;
+            Expect
+              (Condition'Image & ", " & What & " is fresh",
+               Messages.Boxes.Is_Fresh (After), False);
+            Expect
+              (Condition'Image & ", " & What,
+               Messages.Boxes.Contents (After) =
+                 (if Condition = Starts.Cold_Start then Messages.Neutral
+                  else Order),
+               True);
+         end loop;
+      end Expect_Order;
+
+      Up   : constant Uplink_Buffer   := (others => 7);
+      Down : constant Downlink_Buffer := (others => 7);
+
+      procedure Configuration is new Expect_Order
+        (For_Uplink, MCS.Configuration_Variable, Up);
+      procedure Request is new Expect_Order
+        (For_Uplink, MCS.Recorder_Requests, Up);
+      procedure Order is new Expect_Order
+        (For_Uplink, GSC.Console_Orders, Up);
+      procedure Row is new Expect_Order
+        (For_Downlink, GSC.Recorder_Blocks, Down);
+   begin
+      Configuration ("configuration", Aircraft);
+      Request ("request for rows", Aircraft);
+      Order ("order", Ground);
+      Row ("block of the recorder", Ground);
+   end Orders_Of_Both;
+
+   procedure Cards_Of_Aircraft is
+      Kept : URV.LAW_Steps.Kept;
+   begin
+      --  The next downlink and the next row do not have the card that a start
+      --  has ended.
+      for Condition in Condition_Name loop
+         Fly_Before;
+         Kept := MCS.Law_Memory.Contents;
+         Kept.Cards.Run.Chosen := 3;
+         Kept.Cards.Run.Running := 3;
+         Kept.Cards.Run.Last_Run := 3;
+         Kept.Cards.Run.Frame := 5;
+         MCS.Law_Memory.Write (Kept);
+         MCS.Law_Record.Write
+           ((Laws  => (others => 7),
+             Cards => URV.Card_Status.State_Word (Kept.Cards.Run)));
+         MCS.Card_Shown.Write
+           (URV.Card_Status.Card_Word (Kept.Cards.Run));
+         Begin_Again (Aircraft, Condition);
+         Expect
+           (Condition'Image & ", shown", MCS.Card_Shown.Contents,
+            (if Condition = Starts.Cold_Start then 0
+             else URV.Test_Runs.Verdict'Pos (URV.Test_Runs.Restarted)));
+         Expect
+           (Condition'Image & ", recorded", MCS.Law_Record.Contents.Cards,
+            (if Condition = Starts.Cold_Start then 0
+             else 3 + 256 * 3 + 4_096
+                  * URV.Test_Runs.Verdict'Pos (URV.Test_Runs.Restarted)));
+         Expect
+           (Condition'Image & ", laws", MCS.Law_Record.Contents.Laws (1), 0);
+      end loop;
+      Switch_On;
+   end Cards_Of_Aircraft;
+
+   procedure Rows_Of_Aircraft is
+
+      function Newest return URV.Recorder_Rows.Row;
+
+      function Newest return URV.Recorder_Rows.Row is
+         use type URV.Recorder_Rows.Row_Number;
+      begin
+         return MCS.Recorder.Row_At (MCS.Recorder.Contents.Next - 1);
+      end Newest;
+
+      Latest : Clock_Tick;
+   begin
+      Switch_On;
+      Fly (3);
+      Expect ("starts", Newest.Words.Starts, 0);
+      for Reset in 1 .. 2 loop
+         Start_Again (Aircraft, Starts.Warm_Reset);
+         Fly (2);
+         Expect ("resets", Newest.Words.Starts, Word (Reset));
+      end loop;
+      for Restart in 1 .. 3 loop
+         Start_Again (Aircraft, Starts.Processor_Restart);
+         Fly (2);
+         Expect ("restarts, too", Newest.Words.Starts, 2 + Word (Restart));
+      end loop;
+
+      --  A row has the tick and the number of errors of its own frame, those
+      --  included that LOG has found in it.
+      for At_Tick in 1 .. 12 loop
+         for Tick in 1 .. At_Tick loop
+            Clock_Tick_Of_Both;
+         end loop;
+         Link_Is_Cut := not Link_Is_Cut;
+         for Frame in 1 .. 4 loop
+            Latest := Newest.Words.Time;
+            Fly (1);
+            Expect
+              ("tick", Newest.Words.Time = Latest + Ticks_Per_Major_Frame,
+               True);
+            Expect
+              ("errors", Newest.Words.Errors,
+               CORE_Of_MCS.Status (Error_Total_Low));
+         end loop;
+      end loop;
+      Expect
+        ("LOG has found some", Occurrences (Aircraft, Link_Block_Bad)
+         + Occurrences (Aircraft, Link_Reset) > 0, True);
+   end Rows_Of_Aircraft;
 
    procedure Transmit_Half is
       Overwrote : Boolean;
@@ -874,6 +1014,15 @@ package body Starts_Tests is
         (Suite,
          "INI-3 INI-6 SAF-5 servos, CORE and log stay but at a cold start",
          Boards_Of_Aircraft'Access);
+      Add
+        (Suite, "INI-8 SAF-4 an order not taken is not taken after a start",
+         Orders_Of_Both'Access);
+      Add
+        (Suite, "FTI-5 FTI-12 after a start no card is shown",
+         Cards_Of_Aircraft'Access);
+      Add
+        (Suite, "FTI-9 a row has its frame's errors and all starts",
+         Rows_Of_Aircraft'Access);
       Add
         (Suite, "INI-8 each start clears the aircraft's flags, a cold one "
          & "messages", Variables_Of_Aircraft'Access);

@@ -22,6 +22,8 @@ package body Recorder_Tests is
    procedure The_Newest_Rows;
    procedure Sums;
    procedure Stops_And_Goes_On;
+   procedure Second_Flight;
+   procedure Cleared_After_Flight;
    procedure Unknown_State;
    procedure Sends_On_Request;
 
@@ -136,6 +138,38 @@ package body Recorder_Tests is
         ("high", Integer (Recorder.Contents.Next), Before + 1);
    end Stops_And_Goes_On;
 
+   procedure Second_Flight is
+      Before : Integer;
+   begin
+      --  A landing after another flight has its second, too.
+      Recorder.Set_Length (200);
+      Record_Frames (Flying, 1);
+      Record_Frames (Standing, 2 * Frames_After_Landing);
+      Before := Integer (Recorder.Contents.Next);
+      Record_Frames (Flying, 10);
+      Expect_Number
+        ("second flight", Integer (Recorder.Contents.Next), Before + 10);
+      Record_Frames (Standing, 2 * Frames_After_Landing);
+      Expect_Number
+        ("second landing", Integer (Recorder.Contents.Next),
+         Before + 9 + Frames_After_Landing);
+   end Second_Flight;
+
+   procedure Cleared_After_Flight is
+   begin
+      --  After a cold start it records as before the first flight, for any
+      --  time, although rows were fetched before the start.
+      Recorder.Set_Length (200);
+      Record_Frames (Flying, 1);
+      Record_Frames (Standing, 2 * Frames_After_Landing);
+      Recorder.Stop;
+      Recorder.Clear;
+      Record_Frames (Standing, 3 * Frames_After_Landing);
+      Expect_Number
+        ("standing after a cold start", Integer (Recorder.Contents.Next),
+         3 * Frames_After_Landing);
+   end Cleared_After_Flight;
+
    procedure Unknown_State is
    begin
       Recorder.Set_Length (200);
@@ -237,6 +271,10 @@ package body Recorder_Tests is
       Add (Suite, "FTI-9 a row has the sums of its words", Sums'Access);
       Add (Suite, "FTI-9 the recorder stops a second after a landing",
            Stops_And_Goes_On'Access);
+      Add (Suite, "FTI-9 after a second landing it stops a second later",
+           Second_Flight'Access);
+      Add (Suite, "FTI-9 a cold start forgets the flight before",
+           Cleared_After_Flight'Access);
       Add (Suite, "FTI-9 old sensors neither stop it nor let it go on",
            Unknown_State'Access);
       Add (Suite, "FTI-10 rows go down on request, on the ground",
