@@ -44,6 +44,18 @@ package body Theorems.Log_Pieces with SPARK_Mode is
       end loop;
    end A_Row_Arrives;
 
+   procedure A_Gap_Leaves_Another_Place
+     (Item : Receiver; Missed : Place; Next : Piece) is null;
+
+   procedure Silence_Ends_A_Row (Item : in out Receiver) is
+   begin
+      for Frame in 1 .. Most_Silent + 1 loop
+         Item := After_Silence (Item);
+         pragma Loop_Invariant
+           (Item.Got = 0 or else Integer (Item.Silent) >= Frame);
+      end loop;
+   end Silence_Ends_A_Row;
+
    procedure A_Piece_Beside_The_Flags (Status : Word; Item : Piece) is null;
 
 end Theorems.Log_Pieces;

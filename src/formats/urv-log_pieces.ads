@@ -71,9 +71,8 @@ package URV.Log_Pieces with Pure, SPARK_Mode is
      Global => null,
      Post   => Piece_At'Result /= No_Piece;
 
-   --  Frames in a row without a fragment, and the number after which a row
-   --  ends. It is half of a row, so that the frames of the nodes need not
-   --  agree.
+   --  Frames in a row without a fragment. One more than the most ends the row:
+   --  half of a row, so that the frames of the nodes need not agree.
    Most_Silent : constant := Place'Last / 2;
    subtype Silent_Count is Place_Count range 0 .. Most_Silent;
 
