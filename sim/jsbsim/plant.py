@@ -250,7 +250,7 @@ class Aircraft:
             times.scan // self.ticks, self.before + (self.part > 0)))
         self.further_steps = range(
             len(self.first_steps), times.frame // self.ticks)
-        self.conditions = conditions
+        self.conditions = dict(conditions)
         step_s = self.ticks * times.tick / 1e6
         model = conditions["airframe"] if "airframe" in conditions else None
         self.must_suit(model, faults)
