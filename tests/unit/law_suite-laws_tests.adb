@@ -27,6 +27,8 @@ package body Laws_Tests is
    procedure Let_Go_Of_The_Altitude;
    procedure Falling_Back;
    procedure Rudder_Falls_Back;
+   procedure Rudder_In_A_Turn;
+   procedure Power_Begins;
    procedure Range_Check;
    procedure Rate_Check;
    procedure No_Rule;
@@ -307,6 +309,51 @@ package body Laws_Tests is
         ("without its rate the rudder is the stick's",
          Item.Is_Stick (Yaw_Axis), True);
    end Rudder_Falls_Back;
+
+   procedure Rudder_In_A_Turn is
+
+      --  The rudder's demand at this bank and this yaw rate, in words.
+      function Rudder (Bank, Turning : Integer) return Integer is
+        (Warm
+           (With_On (Switch_1),
+            Measuring
+              (Roll_Attitude, Word (Integer (Neutral_Value) + Bank),
+               Measuring
+                 (Yaw_Rate, Word (Integer (Neutral_Value) + Turning))))
+           .Last.Yaw);
+
+   begin
+      --  A bank of 20 degrees needs a turn of about 5 degrees a second to the
+      --  same side. Only a difference from it is damped.
+      for Side in -1 .. 1 loop
+         Expect
+           ("no turn", Side * Rudder (Side * 228, 0) in 20 .. 60,
+            Side /= 0);
+         Expect
+           ("the turn of its bank",
+            Rudder (Side * 228, Side * 200) in -10 .. 10, True);
+         Expect
+           ("twice the turn",
+            Side * Rudder (Side * 228, Side * 400) in -60 .. -20,
+            Side /= 0);
+      end loop;
+   end Rudder_In_A_Turn;
+
+   procedure Power_Begins is
+      Item  : URV.Laws.Memory := Warm;
+      Lever : constant Uplink_Buffer :=
+        (With_On (Switch_3) with delta Throttle => 3_000);
+   begin
+      --  The lever jumps in the frame in which the law begins. The throttle
+      --  stays where it was last, because the airspeed is as demanded.
+      Expect_Number ("the lever's", Item.Last.Throttle, 2_048);
+      Fly (Item, 1, Lever);
+      Expect ("airspeed is held", Item.Flown.Power = Hold_Airspeed, True);
+      Expect_Number ("integrator", Item.Power_Trim, 2_048 * 1_000);
+      Expect_Number ("throttle", Item.Last.Throttle, 2_048);
+      Fly (Item, 5, Lever);
+      Expect_Number ("still", Item.Last.Throttle, 2_048);
+   end Power_Begins;
 
    procedure Range_Check is
       Item : URV.Laws.Memory := Warm;
@@ -817,6 +864,10 @@ package body Laws_Tests is
            Falling_Back'Access);
       Add (Suite, "EXT-3 the rudder falls back to its stick alone",
            Rudder_Falls_Back'Access);
+      Add (Suite, "EXT-3 the rudder does not damp the turn of a bank",
+           Rudder_In_A_Turn'Access);
+      Add (Suite, "EXT-3 the throttle's law begins at its last output",
+           Power_Begins'Access);
       Add (Suite, "EXT-3 three words out of range are not valid",
            Range_Check'Access);
       Add (Suite, "EXT-3 a word that jumps away is not believed",
