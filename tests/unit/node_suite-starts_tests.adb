@@ -9,6 +9,7 @@ with GSC.Virtual_Time;
 with MCS.Virtual_Time;
 with Host.Memory_Hardware;
 with Node_Rig;          use Node_Rig;
+with Published_Tags;
 with Telemetry;         use Telemetry;
 with Telemetry.Checksum;
 with Telemetry.Headers;
@@ -30,7 +31,11 @@ with URV.CORE_Memory;   use URV.CORE_Memory;
 with URV.Errors;        use URV.Errors;
 with URV.LAW_Steps;
 with URV.Mailboxes;     use URV.Mailboxes;
+with URV.Plain_Blocks;
 with URV.Recorder_Rows;
+with URV.Recorder_Steps;
+with URV.Seal_Blocks;
+with URV.Sessions;
 with URV.Test_Runs;
 with URV.Type_Codes;    use URV.Type_Codes;
 
@@ -54,6 +59,8 @@ package body Starts_Tests is
    procedure Orders_Of_Both;
    procedure Cards_Of_Aircraft;
    procedure Rows_Of_Aircraft;
+   procedure Requests_Of_Aircraft;
+   procedure Sessions_Of_Both;
    procedure Transmit_Half;
    procedure Receive_Half;
    procedure Converters;
@@ -556,6 +563,67 @@ package body Starts_Tests is
          + Occurrences (Aircraft, Link_Reset) > 0, True);
    end Rows_Of_Aircraft;
 
+   procedure Requests_Of_Aircraft is
+      Unused  : Downlink_Buffer;
+      Is_Sent : Boolean;
+   begin
+      --  A request that came before a start is not answered after it.
+      for Condition in Condition_Name loop
+         Fly_Before;
+         MCS.Recorder_Sender.Progress.Write
+           ((Now => URV.Recorder_Steps.Report, others => <>));
+         Begin_Again (Aircraft, Condition);
+         MCS.Recorder_Sender.Next (Neutral_Downlink, Unused, Is_Sent);
+         Expect (Condition'Image & ", answered", Is_Sent, False);
+      end loop;
+      Switch_On;
+   end Requests_Of_Aircraft;
+
+   procedure Sessions_Of_Both is
+      Keys : constant URV.Sessions.Key_List :=
+        (URV.Sessions.First  => (True, 1, Published_Tags.Count_Key),
+         URV.Sessions.Second => (others => <>));
+
+      --  A block that the node seals now.
+      function Mark_Of (Node : Station) return Byte;
+
+      function Mark_Of (Node : Station) return Byte is
+         Words : constant URV.Plain_Blocks.Block_Words := (others => 0);
+         Block : Block_Data;
+      begin
+         case Node is
+            when Ground   => GSC.Sealing.Close (Words, Block);
+            when Aircraft => MCS.Sealing.Close (Words, Block);
+         end case;
+         return URV.Seal_Blocks.Mark_Of (Block);
+      end Mark_Of;
+
+   begin
+      --  A cold start ends the session of a sealed link, no warm one does.
+      GSC.Sealing.Configure (2, Keys, 1_000);
+      MCS.Sealing.Configure (2, Keys, 500_000);
+      for Node in Station loop
+         for Condition in Condition_Name loop
+            Switch_On;
+            Fly (15);
+            Expect
+              ("a session", Mark_Of (Node) = URV.Seal_Blocks.Sealed_Mark,
+               True);
+            Begin_Again (Node, Condition);
+            Expect
+              (Node'Image & ", " & Condition'Image,
+               Mark_Of (Node) =
+                 (if Condition = Starts.Cold_Start
+                  then URV.Seal_Blocks.Hello_Mark
+                  else URV.Seal_Blocks.Sealed_Mark),
+               True);
+         end loop;
+      end loop;
+      GSC.Sealing.Configure (1, (others => (others => <>)), 0);
+      MCS.Sealing.Configure (1, (others => (others => <>)), 0);
+      Switch_On;
+   end Sessions_Of_Both;
+
    procedure Transmit_Half is
       Overwrote : Boolean;
    begin
@@ -1023,6 +1091,12 @@ package body Starts_Tests is
       Add
         (Suite, "FTI-9 a row has its frame's errors and all starts",
          Rows_Of_Aircraft'Access);
+      Add
+        (Suite, "FTI-10 no start answers a request that came before it",
+         Requests_Of_Aircraft'Access);
+      Add
+        (Suite, "SEC-3 a cold start ends a sealed session, no warm one does",
+         Sessions_Of_Both'Access);
       Add
         (Suite, "INI-8 each start clears the aircraft's flags, a cold one "
          & "messages", Variables_Of_Aircraft'Access);

@@ -23,6 +23,7 @@ with URV.LOG_Task;
 with URV.Shared_CORE_Memory;
 with URV.Shared_Errors;
 with URV.Shared_Laws;
+with URV.Surfaces;
 
 separate (Task_Suite)
 package body LOG_Task_Tests is
@@ -42,6 +43,7 @@ package body LOG_Task_Tests is
    procedure No_Such_Row;
    procedure Rows_In_Turn;
    procedure Age_Of_Node;
+   procedure Failures_Of_Laws;
 
    --  The task's surroundings. The board is an aircraft's, and keeps the
    --  counts of earlier tests.
@@ -595,6 +597,31 @@ package body LOG_Task_Tests is
       Law_Settings.Write (Off);
    end Age_Of_Node;
 
+   procedure Failures_Of_Laws is
+      use URV.Law_Status;
+      Off  : constant URV.Laws.Settings  := Law_Settings.Contents;
+      Kept : constant URV.LAW_Steps.Kept := Law_Memory.Contents;
+      Flaw : URV.LAW_Steps.Kept          := Kept;
+   begin
+      --  The right rudder is in bit 5, the throttle in bit 10. The flight
+      --  recorder has the same word.
+      Flaw.Watched.Failed (URV.Surfaces.Right_Rudder) := True;
+      Flaw.Watched.Engine.Failed := True;
+      Begin_Test;
+      Law_Settings.Write ((Off with delta On => True));
+      Law_Memory.Write (Flaw);
+      for Piece in 1 .. 15 loop
+         Fly_Frame;
+      end loop;
+      Expect
+        ("the laws' row",
+         From_Row (CORE.Contents.Aircraft_Log (Row_Number)) (Failed),
+         32 + 1_024);
+      Expect ("the recorder", Law_Memory.Recorded.Laws (5), 32 + 1_024);
+      Law_Settings.Write (Off);
+      Law_Memory.Write (Kept);
+   end Failures_Of_Laws;
+
    procedure Add_To (Suite : AUnit.Test_Suites.Access_Test_Suite) is
    begin
       Add
@@ -639,6 +666,9 @@ package body LOG_Task_Tests is
       Add
         (Suite, "GND-45 the ground knows the age of the aircraft's node",
          Age_Of_Node'Access);
+      Add
+        (Suite, "EXT-6 the laws' row names failed surfaces and the throttle",
+         Failures_Of_Laws'Access);
    end Add_To;
 
 end LOG_Task_Tests;

@@ -2,18 +2,24 @@
 
 with Checks;        use Checks;
 with Expectations;  use Expectations;
+with Published_Tags;
 with Task_Rig;      use Task_Rig;
 with Telemetry;     use Telemetry;
 with Telemetry.Checksum;
 with Telemetry.Receivers;
 with Telemetry.Shared_Boards;
 with URVOS;         use URVOS;
+with URVOS.Frames;  use URVOS.Frames;
 with URV.Buffers;   use URV.Buffers;
 with Plain_Messages;
 with URV.Codecs;
 with URV.Errors;    use URV.Errors;
+with URV.Handshakes; use URV.Handshakes;
 with URV.Mailboxes; use URV.Mailboxes;
+with URV.Plain_Blocks; use URV.Plain_Blocks;
 with URV.Routing;   use URV.Routing;
+with URV.Seal_Blocks;
+with URV.Sessions;
 with URV.Shared_Errors;
 with URV.Shared_Seals;
 with URV.TELIN_Task;
@@ -29,6 +35,8 @@ package body Telemetry_Task_Tests is
    procedure Block_Again;
    procedure Not_Consumed;
    procedure Cold_Again;
+   procedure Refused_Is_Missed;
+   procedure Age_Of_This_Frame;
    procedure New_Output;
    procedure No_Output_Now;
    procedure No_Buffer;
@@ -72,9 +80,11 @@ package body Telemetry_Task_Tests is
 
    --  A whole block arrives at the board.
    procedure Receive_Block (Item : Uplink_Buffer);
+   procedure Receive_Data (Data : Block_Data);
 
    --  Runs a frame of TELIN and expects this Is_New.
-   procedure Run_TELIN (What : String; Is_New : Boolean);
+   procedure Run_TELIN
+     (What : String; Is_New : Boolean; Now : Clock_Tick := 0);
 
    --  TELOUT's board begins to send this block, and then waits for an answer.
    procedure Expect_Block (What : String; Expected : Downlink_Buffer);
@@ -86,9 +96,13 @@ package body Telemetry_Task_Tests is
    procedure Prepare_Board_Out;
 
    procedure Receive_Block (Item : Uplink_Buffer) is
+   begin
+      Receive_Data (Plain_Messages.Block_Of (Item));
+   end Receive_Block;
+
+   procedure Receive_Data (Data : Block_Data) is
       Length : constant Byte_Count := URV.Codecs.Uplink.Block_Length;
       Header : constant Byte := Receivers.Data_Header (Length);
-      Data   : constant Block_Data := Plain_Messages.Block_Of (Item);
 
       procedure Hear (Value : Byte);
 
@@ -112,7 +126,7 @@ package body Telemetry_Task_Tests is
       Board_In.Next_Character
         (Telemetry.Guard_Time, Unused_Send, Status, Unused_Time);
       Board_In.Next_Character (1, Unused_Send, Status, Unused_Time);
-   end Receive_Block;
+   end Receive_Data;
 
    procedure Prepare_Board_Out is
       Send        : Boolean;
@@ -151,10 +165,12 @@ package body Telemetry_Task_Tests is
       Expect (What, Send, False);
    end Expect_No_Block;
 
-   procedure Run_TELIN (What : String; Is_New : Boolean) is
+   procedure Run_TELIN
+     (What : String; Is_New : Boolean; Now : Clock_Tick := 0)
+   is
       Found : Boolean;
    begin
-      TELIN.Run_Transaction (0, Found);
+      TELIN.Run_Transaction (Now, Found);
       Expect (What & ", is new", Found, Is_New);
    end Run_TELIN;
 
@@ -238,6 +254,69 @@ package body Telemetry_Task_Tests is
          Uplink_Of (16#200#));
    end Cold_Again;
 
+   procedure Refused_Is_Missed is
+      Other : Block_Data := Plain_Messages.Block_Of (Uplink_Of (16#200#));
+   begin
+      New_Block;
+      Other (1) := URV.Seal_Blocks.Sealed_Mark;
+      Receive_Data (Other);
+      Run_TELIN ("another format", Is_New => False);
+      Expect_Buffer
+        ("previous", Up.Taken ("previous", Input),
+         As_Old (Uplink_Of (16#100#)));
+      Expect_Errors
+        ("refused and missed", Errors, (TELIN_No_Block, Block_Refused),
+         Detail => URV.Uplink_Input.Reason (Wrong_Format));
+   end Refused_Is_Missed;
+
+   procedure Age_Of_This_Frame is
+      Keys    : constant URV.Sessions.Key_List :=
+        (URV.Sessions.First  => (True, 1, Published_Tags.Count_Key),
+         URV.Sessions.Second => (others => <>));
+      Peer    : URV.Shared_Seals.Shared_Seal (Ground);
+      Frame   : Clock_Tick := 0;
+      Data    : Block_Data;
+      Words   : Block_Words;
+      Is_New  : Boolean;
+      Unused  : Outcome;
+   begin
+      Board_In.Start;
+      Input.Reset;
+      TELIN.Initialise;
+      Sealing_In.Configure (2, Keys, 500);
+      Peer.Configure (2, Keys, 1_000);
+
+      --  Both nodes come to a session.
+      for Step in 1 .. 12 loop
+         Frame := Frame + Ticks_Per_Major_Frame;
+         Peer.Set_Time (Frame);
+         Peer.Close
+           (URV.Codecs.Uplink.Words_Of (Uplink_Of (16#100#)), Data);
+         Receive_Data (Data);
+         TELIN.Run_Transaction (Frame, Is_New);
+         Sealing_In.Close
+           (URV.Codecs.Downlink.Words_Of (Downlink_Of (16#300#)), Data);
+         Peer.Open (Data, True, Words, Unused);
+      end loop;
+      Expect ("a session", Is_New, True);
+
+      --  A block that was sealed before the aircraft stood still, for longer
+      --  than a block may be old.
+      Frame := Frame + Ticks_Per_Major_Frame;
+      Peer.Set_Time (Frame);
+      Peer.Close (URV.Codecs.Uplink.Words_Of (Uplink_Of (16#200#)), Data);
+      Receive_Data (Data);
+      Errors.Clear;
+      Input.Reset;
+      Run_TELIN
+        ("a late block", Is_New => False,
+         Now => Frame + 30 * Ticks_Per_Major_Frame);
+      Expect_Errors
+        ("a late block", Errors, (TELIN_No_Block, Block_Refused),
+         Detail => URV.Uplink_Input.Reason (Too_Late));
+      Sealing_In.Configure (1, (others => (others => <>)), 0);
+   end Age_Of_This_Frame;
+
    procedure New_Output is
    begin
       Prepare_Board_Out;
@@ -288,6 +367,12 @@ package body Telemetry_Task_Tests is
       Add
         (Suite, "INI-8 TIN-1 a start sends nothing on until a message comes",
          Cold_Again'Access);
+      Add
+        (Suite, "SEC-1 a refused block is reported and missed",
+         Refused_Is_Missed'Access);
+      Add
+        (Suite, "SEC-4 a block's age is that of the frame that opens it",
+         Age_Of_This_Frame'Access);
       Add (Suite, "TOU-1 a new message goes to the board", New_Output'Access);
       Add
         (Suite, "TOU-1 nothing is written when nothing new has come",
