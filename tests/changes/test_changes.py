@@ -347,7 +347,7 @@ def test_one_more_control_law(climb_rate):
     tables = json.loads(change.run("bin/urv_sim", "tables").stdout)
     assert tables["vertical"][-1] == "climb by stick"
     (change.copy / "sticks.csv").write_text(
-        "time_ms,throttle,switch3,switch5,pitch\n"
+        "time_ms,throttle,switch3,switch6,pitch\n"
         "0,2048,4095,4095,2048\n10000,2048,4095,4095,3248\n"
         "30000,2048,4095,4095,2048\n", encoding="utf-8")
     result = change.run(
