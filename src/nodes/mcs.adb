@@ -105,6 +105,7 @@ package body MCS with SPARK_Mode is
       MDCIN.Reset;
       Recorder.Clear;
       Recorder_Sender.Restart;
+      Log_Sender.Restart;
       Law_Memory.Write (URV.LAW_Steps.At_Start);
       Law_Record.Write
         (URV.Shared_Laws.Recorded_Of (URV.LAW_Steps.At_Start));

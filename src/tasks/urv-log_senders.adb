@@ -58,4 +58,9 @@ package body URV.Log_Senders with SPARK_Mode is
       Progress.Write (After (Line, Is_Empty));
    end Next;
 
+   procedure Restart is
+   begin
+      Progress.Write ((others => <>));
+   end Restart;
+
 end URV.Log_Senders;

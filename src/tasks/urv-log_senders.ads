@@ -28,4 +28,9 @@ package URV.Log_Senders with SPARK_Mode is
      Global =>
        (Input => (Errors, Law_Settings, Law_Memory), In_Out => Progress);
 
+   --  Ends the row that is being sent: after a cold start it is of another
+   --  flight.
+   procedure Restart
+   with Global => (In_Out => Progress);
+
 end URV.Log_Senders;

@@ -37,25 +37,19 @@ package body LAW_Task_Tests is
    procedure Words_As_Sent;
    procedure Configured_At_Once;
 
-   On_Word : constant Word := 16#FFF#;
-
-   --  A doublet of both elevators, 0.1 s to either side, without limits.
-   Doublet_Card : constant Card :=
-     (Head      => 3 * 256 + Card_Kind'Pos (Doublet),
-      Surfaces  => 2 ** Test_Surface'Pos (Left_Elevator)
-                   + 2 ** Test_Surface'Pos (Right_Elevator),
-      Amplitude => 100,
-      Time      => 10,
-      First     => 0,
-      Last      => 0,
-      Attitude  => 63 + 64 * 63,
-      Airflow   => 63 + 64 * 63,
-      Slowest   => 0,
-      Fastest   => 4_095,
-      Lowest    => 0);
+   --  A doublet in slot 3, 0.1 s to either side, without limits.
+   Free_Card : constant Card :=
+     (Doublet_Card with delta
+        Head     => 3 * 256 + Card_Kind'Pos (Doublet),
+        Time     => 10,
+        Attitude => 63 + 64 * 63,
+        Airflow  => 63 + 64 * 63,
+        Slowest  => 0,
+        Fastest  => 4_095,
+        Lowest   => 0);
 
    Stick_Card : constant Card :=
-     (Doublet_Card with delta Surfaces => Stick_Place + 4);
+     (Free_Card with delta Surfaces => Stick_Place + 4);
 
    Switched : constant Uplink_Buffer :=
      (Sticks with delta Switch_5 => On_Word);
@@ -162,7 +156,7 @@ package body LAW_Task_Tests is
       Clear;
       Fly (2 * Frames_Per_Second);
       MCS.Configuration_Variable.Send
-        (URV.Card_Blocks.Block_Of (Doublet_Card), Success);
+        (URV.Card_Blocks.Block_Of (Free_Card), Success);
       Fly (1);
       Fly (3, Commands => Switched);
       Expect
@@ -228,7 +222,7 @@ package body LAW_Task_Tests is
       end Expect_Withdrawn;
 
    begin
-      Expect_Withdrawn ("at the servos", Doublet_Card);
+      Expect_Withdrawn ("at the servos", Free_Card);
       Expect_Withdrawn ("at the stick", Stick_Card);
    end Input_Withdrawn;
 

@@ -50,10 +50,9 @@ package body Laws_Tests is
 
    type Integer_List is array (Positive range <>) of Integer;
 
-   On_Word : constant Word := 16#FFF#;
-
-   Level  : Downlink_Buffer renames Law_Rig.Level;
-   Sticks : Uplink_Buffer renames Law_Rig.Sticks;
+   Level   : Downlink_Buffer renames Law_Rig.Level;
+   Sticks  : Uplink_Buffer renames Law_Rig.Sticks;
+   On_Word : Word renames Law_Rig.On_Word;
 
    Usual : constant Times := (others => <>);
 

@@ -51,22 +51,7 @@ package body Test_Cards_Tests is
 
    type Sensor_List is array (Positive range <>) of Sensor_Item;
 
-   On_Word : constant Word := 16#FFF#;
-
-   --  A doublet of both elevators, 100 words for 0.4 s to either side.
-   Doublet_Card : constant Card :=
-     (Head      => 1 * 256 + Card_Kind'Pos (Doublet),
-      Surfaces  => 2 ** Test_Surface'Pos (Left_Elevator)
-                   + 2 ** Test_Surface'Pos (Right_Elevator),
-      Amplitude => 100,
-      Time      => 40,
-      First     => 0,
-      Last      => 0,
-      Attitude  => 45 + 64 * 30,
-      Airflow   => 12 + 64 * 10,
-      Slowest   => 55 * 32,
-      Fastest   => 100 * 32,
-      Lowest    => 600);
+   Doublet_Card : Card renames Law_Rig.Doublet_Card;
 
    --  A sweep of the ailerons from 0.5 to 2 Hz in 20 s.
    Sweep_Card : constant Card :=
@@ -86,7 +71,8 @@ package body Test_Cards_Tests is
         First    => 10,
         Last     => 2 * 16 + 6);
 
-   Sticks : Uplink_Buffer renames Law_Rig.Sticks;
+   Sticks  : Uplink_Buffer renames Law_Rig.Sticks;
+   On_Word : Word renames Law_Rig.On_Word;
 
    Calm : constant Situation :=
      (Heard     => Sticks,

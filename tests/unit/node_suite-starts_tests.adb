@@ -30,6 +30,7 @@ with URV.CORE_Layout;   use URV.CORE_Layout;
 with URV.CORE_Memory;   use URV.CORE_Memory;
 with URV.Errors;        use URV.Errors;
 with URV.LAW_Steps;
+with URV.Log_Pieces;
 with URV.Mailboxes;     use URV.Mailboxes;
 with URV.Plain_Blocks;
 with URV.Recorder_Rows;
@@ -60,6 +61,7 @@ package body Starts_Tests is
    procedure Cards_Of_Aircraft;
    procedure Rows_Of_Aircraft;
    procedure Requests_Of_Aircraft;
+   procedure Rows_Under_Way;
    procedure Sessions_Of_Both;
    procedure Transmit_Half;
    procedure Receive_Half;
@@ -579,6 +581,32 @@ package body Starts_Tests is
       Switch_On;
    end Requests_Of_Aircraft;
 
+   procedure Rows_Under_Way is
+      Item : URV.Log_Pieces.Piece;
+   begin
+      --  A cold start of the aircraft ends the row that it sends, a warm one
+      --  does not. Each start of the ground ends the row that it receives.
+      for Condition in Condition_Name loop
+         Fly_Before;
+         MCS.Log_Sender.Progress.Write
+           ((Is_Laws => True, Row => (others => 7), Sent => 5, others => <>));
+         Begin_Again (Aircraft, Condition);
+         MCS.Log_Sender.Next (Item);
+         Expect
+           (Condition'Image & ", the next fragment",
+            (if Condition = Starts.Cold_Start then Item / 256 <= 1
+             else Item / 256 = 6),
+            True);
+         Fly_Before;
+         GSC.Log_Receiver.Incoming.Write ((Got => 5, others => <>));
+         Begin_Again (Ground, Condition);
+         Expect_Number
+           (Condition'Image & ", received",
+            Integer (GSC.Log_Receiver.Incoming.Contents.Got), 0);
+      end loop;
+      Switch_On;
+   end Rows_Under_Way;
+
    procedure Sessions_Of_Both is
       Keys : constant URV.Sessions.Key_List :=
         (URV.Sessions.First  => (True, 1, Published_Tags.Count_Key),
@@ -1094,6 +1122,9 @@ package body Starts_Tests is
       Add
         (Suite, "FTI-10 no start answers a request that came before it",
          Requests_Of_Aircraft'Access);
+      Add
+        (Suite, "SAF-7 a start ends the row of the log under way",
+         Rows_Under_Way'Access);
       Add
         (Suite, "SEC-3 a cold start ends a sealed session, no warm one does",
          Sessions_Of_Both'Access);
