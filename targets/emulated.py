@@ -370,7 +370,7 @@ def missing(rows, runs):
 
 
 def tools_missing(machine, nodes=("gsc", "mcs")):
-    """What is needed to fly a machine's images, and is not there."""
+    """The missing programs and files of those that fly a machine's images."""
     files = [ROOT / "bin" / "urv_sim",
              *(machine.images / f"{node}.{kind}" for node in nodes
                for kind in ("bin", "elf"))]

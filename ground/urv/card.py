@@ -90,8 +90,8 @@ def send(
 ):
     """Send the cards to the ground's node of a flight.
 
-    The node sends them up. While a console has the sticks, the node takes orders from its station only:
-    send them from the page, or before."""
+    The node sends them up. While a console has the sticks, the node takes orders
+    from its station only: send them from the page, or before."""
     import secrets
     import socket
     import time

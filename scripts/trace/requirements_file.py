@@ -85,7 +85,7 @@ def with_links(text, links_of):
 
 
 def has_names(field, wanted):
-    """Whether a field of the file has these names, in any order."""
+    """True if a field of the file has these names, in any order."""
     return field is not None and sorted(names(
         field["block"] or field["line"])) == sorted(wanted)
 

@@ -545,7 +545,7 @@ def test_gnd63_a_record_of_another_aircraft_is_named():
     assert list(found) == [2]
     assert set(found[2]) == {"Cm_alpha", "Cm_elevator"}
     assert found[2]["Cm_elevator"] == pytest.approx(0.6, abs=0.1)
-    # Of two records none is the odd one.
+    # Neither of two records is the odd one.
     assert list(consistency.different(model, [parts[0], odd])) == [0, 2]
     said, = cautions.of(analysis.Result(
         ["a.csv", "b.csv"], [sensors(), sensors()],

@@ -42,7 +42,7 @@ SCRIPT = re.compile(r"^(?: {4}|\$ )?((?:evidence|scripts|sim|targets)/\S+\.py)",
 
 
 def needs_a_package(script):
-    """Whether it imports something at its top that Debian's Python lacks."""
+    """True if it imports something at its top that Debian's Python lacks."""
     tree = ast.parse((ROOT / script).read_text("utf-8"))
     imported = {name.split(".")[0] for node in tree.body
                 for name in ([each.name for each in node.names]

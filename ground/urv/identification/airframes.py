@@ -37,12 +37,12 @@ its standard deviation before the flight. It turns pitch into yaw and yaw into
 pitch."""
 
 AIRSPEED_ERROR = "airspeed's constant error"
-"""In deviations of each record's constant error: a parameter."""
+"""A parameter, in standard deviations of each record's constant error."""
 
 DRAG = "drag along the wind"
 """The share of the drag's changes that acts along the wind, so that a sideslip turns
-it to the side: a parameter. Wind tunnels and JSBSim take 1. Drag that stays along the
-body has 0."""
+it to the side: a parameter. Wind tunnels and JSBSim assume 1; 0 is drag that stays along
+the body."""
 DRAG_DEVIATION = 0.5
 
 LEAST_ERROR = {"airspeed": 1e-3, "alpha": 1e-5}
@@ -135,7 +135,7 @@ class Airframe:
         return parameter.prior
 
     def deviation(self, name, record):
-        """Of a sensor's constant error in a record."""
+        """Standard deviation of a sensor's constant error in a record."""
         return max(self.deviations[name][record], LEAST_ERROR[name])
 
     def measured(self, segment: Segment):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What contradicts a result, in words for people (GND-63).
+"""Cautions: contradictions in a result, in words for people (GND-63).
 
 An interval contains noise and small errors. It contains neither a sensor with
 a switched sign nor the mass of another aircraft: these are found here.
@@ -18,13 +18,13 @@ GOOD_INEQUALITY = 0.3
 
 SIGNS = {"CZ_alpha": -1, "Cm_elevator": 1, "CY_beta": -1, "Cl_p": -1,
          "Cl_aileron": 1, "Cn_rudder": 1}
-"""Of each aircraft below the stall, since surfaces are in the pilot's
-sense."""
+"""Signs that these derivatives have in each aircraft below the stall, since surfaces
+are in the pilot's sense."""
 
 SCALES = 0.5, 2.0
-"""A factor of a sensor outside of these is none of a sensor."""
+"""Least and largest factor that an error of a sensor explains."""
 SURE = 3.0
-"""Deviations below 0, from which on a factor is negative."""
+"""A factor is negative if it is below 0 by this many standard deviations."""
 
 OTHER_PRIOR = 0.2
 """A prior value that differs by more, and is outside of the interval, is that

@@ -43,7 +43,8 @@ def different(airframe, segments) -> dict[int, dict[str, float]]:
         if len(known) < 2:
             continue
         for record, (value, deviation) in known.items():
-            # Of two records none is the odd one: each is beside the other.
+            # Two records are compared with each other: neither is the odd
+            # one.
             others = [each for other, each in known.items()
                       if len(known) > 2 or other != record]
             middle, size = (statistics.median(each) for each in zip(

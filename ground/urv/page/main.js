@@ -245,7 +245,7 @@ function show_status(value, lost, silent) {
   archive.classList.toggle("caution", state.archive?.lost ?? false);
 }
 
-// A hidden page is not drawn, but its states come.
+// A hidden page is not drawn, but still receives states: they are not kept.
 function keep_left(left_out) {
   left.push([came, left_out]);
   drop_left();
