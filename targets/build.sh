@@ -186,9 +186,10 @@ done
 "${prefix}ld" --gc-sections -z noexecstack --no-warn-rwx-segments -Map=node.map \
    -T "$root/targets/$machine/image.ld" asm_*.o b__main.o \
    $(grep '\.o$' objects.txt | grep -v /adalib/) \
-   ../runtime/adalib/libgnat.a -o "../$node.elf"
-cd ..
+   ../runtime/adalib/libgnat.a -o "$node.elf"
 "${prefix}objcopy" -O binary -j .vectors -j .text -j .data --gap-fill 0xff \
    "$node.elf" "$node.raw"
 python3 "$root/targets/image_sum.py" "$node.raw" "$node.bin" \
    "$rom_size" "$order"
+# Others may read the last ones meanwhile: each file is replaced as a whole.
+mv -f "$node.elf" "$node.raw" "$node.bin" ..

@@ -2,10 +2,10 @@
 """BRD-1, BRD-2, BRD-3, BRD-9, TST-5: both nodes on a bare Cortex-M4, in QEMU,
 beside the simulation of the same flight."""
 
+import concurrent.futures
 import math
 import socket
 import subprocess
-import threading
 import time
 
 import pytest
@@ -193,12 +193,13 @@ def fly_debugged(folder, monkeypatch, actions):
         try:
             actions(debugger, found)
         finally:
+            debugger.ask("D")
             debugger.socket.close()
 
-    thread = threading.Thread(target=debug, daemon=True)
-    thread.start()
-    run = MACHINE.fly({"mcs": emulated.Tape(0.5)}, folder)["mcs"]
-    thread.join(emulated.LIMIT_S)
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        debugged = pool.submit(debug)
+        run = MACHINE.fly({"mcs": emulated.Tape(0.5)}, folder)["mcs"]
+        debugged.result()
     return run, found
 
 
@@ -212,7 +213,6 @@ def restart_within_a_test(debugger, found):
     debugger.go_to(address("urv_run"))
     found.append(debugger.ask(f"m{cell:x},4"))
     found.append(debugger.ask(f"m{address('urv_kept') + 16:x},4"))
-    debugger.ask("D")
 
 
 def test_tst5_a_restart_within_the_test_of_a_cell_keeps_its_contents(
@@ -232,7 +232,6 @@ def spoil_a_read(debugger, found):
     wrong = debugger.register(1) ^ 0x10
     debugger.ask(f"M{cell:x},4:" + wrong.to_bytes(4, "little").hex())
     found.append(cell)
-    debugger.ask("D")
 
 
 def test_tst5_a_cell_that_reads_another_value_is_reported(
