@@ -172,9 +172,25 @@ package body Theorems.Test_Cards with SPARK_Mode is
          After := Next (Before, Deck, Frames (Frame));
          if Before.Running = 0 and then After.Running > 0 then
             pragma Assert (Is_Started (Before, Frames (Frame)));
+            pragma Assert
+              (Judged (Deck (After.Running), Frames (Frame)) = Well);
             Started := True;
             Since := Frame;
+            pragma Assert
+              (Frames (Since).Is_New
+               and then Is_On (Frames (Since).Heard (Switch_5))
+               and then Frames (Since).Is_Linked
+               and then not Frames (Since).Is_Cut);
          end if;
+         pragma Assert
+           (if not Started
+            then Before.Added = Nothing_Added and then After.Running = 0);
+         pragma Assert
+           (if not Started
+            then
+              (for all Which in Test_Surface =>
+                 Before.Added (Which) = 0
+                 and then Authority (Deck, After, Which) = 0));
          pragma Assert
            (if not Started
             then After.Running = 0

@@ -177,6 +177,9 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
      Post   =>
        Flies_Only (Roll_Axis, This'Old, This)
        and then
+         (if This.Is_Stick (Roll_Axis)
+          then Input.Is_Pilot and then This.Last.Roll = Input.Roll)
+       and then
          (if This.Is_Stick'Old (Roll_Axis)
             and then This.Flown.Lateral = Direct
             and then Input.Is_Pilot
@@ -197,6 +200,9 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
      Global => null,
      Post   =>
        Flies_Only (Yaw_Axis, This'Old, This)
+       and then
+         (if This.Is_Stick (Yaw_Axis)
+          then Input.Is_Pilot and then This.Last.Yaw = Input.Yaw)
        and then
          (if This.Is_Stick'Old (Yaw_Axis)
             and then This.Flown.Lateral = Direct
@@ -219,6 +225,9 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
      Global => null,
      Post   =>
        Flies_Only (Pitch_Axis, This'Old, This)
+       and then
+         (if This.Is_Stick (Pitch_Axis)
+          then Input.Is_Pilot and then This.Last.Pitch = Input.Pitch)
        and then
          (if This.Is_Stick'Old (Pitch_Axis)
             and then This.Flown.Vertical = Direct
@@ -261,6 +270,9 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
      Post   =>
        Flies_Only (Throttle_Axis, This'Old, This)
        and then
+         (if This.Is_Stick (Throttle_Axis)
+          then Input.Is_Pilot and then This.Last.Throttle = Input.Throttle)
+       and then
          (if This.Is_Stick'Old (Throttle_Axis)
             and then This.Flown.Power = Direct
             and then Input.Is_Pilot
@@ -289,6 +301,9 @@ private package URV.Laws.Flying with Pure, SPARK_Mode is
      Global => null,
      Post   =>
        Decides_The_Same (This'Old, This)
+       and then
+         (for all Which in Axis =>
+            (if This.Is_Stick (Which) then Input.Is_Pilot))
        and then
          (if Is_All_Stick (This'Old)
             and then This.Flown = All_Direct

@@ -56,6 +56,11 @@ package URV.Laws.Frames with Pure, SPARK_Mode is
         (if After.Link.State = Waiting and then After.Flown = All_Direct
          then Is_All_Stick (After))
 
+      --  While the link is lost no axis is the stick's.
+      and then
+        (if After.Link.State in Lost and then not Is_Disconnected (Commands)
+         then (for all Which in Axis => not After.Is_Stick (Which)))
+
       --  A law's output has moved within its rate limit, whatever the modes
       --  were.
       and then

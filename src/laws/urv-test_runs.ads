@@ -146,6 +146,18 @@ package URV.Test_Runs with Pure, SPARK_Mode is
      (Is_Started (This, Sight.Heard, Sight.Is_New))
    with Global => null;
 
+   --  A card ran, or should have run in this frame, and runs no more.
+   function Has_Ended (Before, After : Run; Sight : Situation) return Boolean
+   is
+     ((Is_Running (Before) or else Is_Started (Before, Sight))
+      and then not Is_Running (After))
+   with Global => null;
+
+   --  The number of slots between two, from the first again after the last.
+   function Between (From : Slot_Or_None; To : Slot) return Number is
+     ((Number (To) - Number (From) - 1) mod Number (Slot'Last))
+   with Global => null, Ghost;
+
    --  The next loaded slot after a slot, from the first again after the last;
    --  0 if there is none.
    function Next_Loaded (Deck : Card_Deck; From : Slot_Or_None)
@@ -154,7 +166,41 @@ package URV.Test_Runs with Pure, SPARK_Mode is
      Global => null,
      Post   =>
        (if Next_Loaded'Result > 0
-        then Is_Loaded (Deck (Next_Loaded'Result)));
+        then Is_Loaded (Deck (Next_Loaded'Result)))
+       and then
+         (for all Which in Slot =>
+            (if Is_Loaded (Deck (Which))
+             then Next_Loaded'Result > 0
+               and then Between (From, Next_Loaded'Result) <=
+                          Between (From, Which)));
+
+   --  The verdict on the chosen card when its switch goes on.
+   function Start_Of (This : Run; Deck : Card_Deck; Sight : Situation)
+                      return Verdict
+   is
+     (if not Is_Ready (Deck, This.Chosen) then Not_Loaded
+      elsif Judged (Deck (This.Chosen), Sight) /= Well
+      then Judged (Deck (This.Chosen), Sight)
+      elsif This.Added /= Nothing_Added
+        and then Place_Of (Deck (This.Chosen)) /= This.Place
+      then Inputs_Remain
+      else Well)
+   with Global => null;
+
+   --  The reason for which the running card ends in a frame; Well if it goes
+   --  on.
+   function End_Of (This : Run; Deck : Card_Deck; Sight : Situation)
+                    return Verdict
+   is
+     (if not Is_Ready (Deck, This.Running)
+        or else Place_Of (Deck (This.Running)) /= This.Place
+      then Not_Loaded
+      elsif Judged (Deck (This.Running), Sight) /= Well
+      then Judged (Deck (This.Running), Sight)
+      elsif not Are_Resting (This, Sight.Heard) then Stick_Moved
+      elsif This.Frame >= Length_Of (Deck (This.Running)) - 1 then Complete
+      else Well)
+   with Global => null;
 
    --  The inputs of this frame, by their place.
 
@@ -205,32 +251,92 @@ package URV.Test_Runs with Pure, SPARK_Mode is
      Global => null,
      Post   => Authority'Result in 0 .. 4_095;
 
+   --  The card after a frame. It begins when its switch goes on, and goes on
+   --  frame by frame, only while all its conditions are met. The reason of its
+   --  end is kept. After a complete card the next one is chosen.
+   function Is_Selected
+     (Before, After : Run; Deck : Card_Deck; Sight : Situation) return Boolean
+   is
+     ((if After.Running > 0
+       then Is_Ready (Deck, After.Running)
+         and then Judged (Deck (After.Running), Sight) = Well
+         and then Are_Resting (After, Sight.Heard)
+         and then After.Frame < Length_Of (Deck (After.Running))
+         and then After.Place = Place_Of (Deck (After.Running)))
+      and then
+        (if Before.Running > 0
+         then
+           (if End_Of (Before, Deck, Sight) = Well
+            then After.Running = Before.Running
+              and then After.Frame = Before.Frame + 1
+              and then After.Phase =
+                         Next_Phase
+                           (Deck (Before.Running), Before.Frame, Before.Phase)
+              and then After.Roll_Rest = Before.Roll_Rest
+              and then After.Pitch_Rest = Before.Pitch_Rest
+              and then After.Yaw_Rest = Before.Yaw_Rest
+              and then After.Last_Run = Before.Last_Run
+              and then After.Reason = Before.Reason
+            else After.Running = 0
+              and then After.Last_Run = Before.Running
+              and then After.Reason = End_Of (Before, Deck, Sight))
+         elsif Is_Started (Before, Sight)
+         then After.Running =
+             (if Start_Of (Before, Deck, Sight) = Well then Before.Chosen
+              else 0)
+           and then
+             (if After.Running > 0
+              then After.Frame = 0
+                and then After.Phase = 0
+                and then After.Roll_Rest = Demand_Of (Sight.Heard (Roll))
+                and then After.Pitch_Rest = Demand_Of (Sight.Heard (Pitch))
+                and then After.Yaw_Rest = Demand_Of (Sight.Heard (Yaw)))
+           and then After.Last_Run = Before.Chosen
+           and then After.Reason = Start_Of (Before, Deck, Sight)
+         else After.Running = 0
+           and then After.Last_Run = Before.Last_Run
+           and then After.Reason = Before.Reason)
+      and then After.Chosen =
+        (if Before.Running > 0
+           and then End_Of (Before, Deck, Sight) = Complete
+         then Next_Loaded (Deck, Before.Running)
+         else Before.Chosen))
+   with Global => null, Ghost;
+
+   --  The signal of the running card for a surface, before the limit of its
+   --  rate.
+   function Signal_Of (This : Run; Deck : Card_Deck; Which : Test_Surface)
+                       return Increment
+   is
+     (if This.Running > 0
+      then Signal (Deck (This.Running), This.Frame, This.Phase, Which)
+      else 0)
+   with
+     Global => null,
+     Pre    =>
+       (if This.Running > 0
+        then Is_Ready (Deck, This.Running)
+          and then This.Frame < Length_Of (Deck (This.Running))),
+     Post   => abs Signal_Of'Result <= Authority (Deck, This, Which);
+
+   --  A surface's input after a frame with this signal.
+   function Moved (Before, Signal : Increment; Which : Test_Surface)
+                   return Increment
+   is
+     (Stepped (Before, Signal, Rate_Step (Which)))
+   with
+     Global => null,
+     Post   =>
+       abs (Moved'Result - Before) <= Rate_Step (Which)
+       and then
+         abs Moved'Result <=
+           Integer'Max (abs Signal, abs Before - Rate_Step (Which));
+
    function Next (This : Run; Deck : Card_Deck; Sight : Situation) return Run
    with
      Global => null,
      Post   =>
-
-       --  A card runs only while all its conditions are met.
-       (if Next'Result.Running > 0
-        then Is_Ready (Deck, Next'Result.Running)
-          and then Judged (Deck (Next'Result.Running), Sight) = Well
-          and then Are_Resting (Next'Result, Sight.Heard)
-          and then Next'Result.Frame <
-                     Length_Of (Deck (Next'Result.Running))
-          and then Next'Result.Place =
-                     Place_Of (Deck (Next'Result.Running))
-
-          --  It began when the switch went on, or it goes on frame by frame.
-          and then
-            (if This.Running = 0
-             then Is_Started (This, Sight)
-               and then Next'Result.Running = This.Chosen
-               and then Next'Result.Frame = 0
-             else Next'Result.Running = This.Running
-               and then Next'Result.Frame = This.Frame + 1
-               and then Next'Result.Roll_Rest = This.Roll_Rest
-               and then Next'Result.Pitch_Rest = This.Pitch_Rest
-               and then Next'Result.Yaw_Rest = This.Yaw_Rest))
+       Is_Selected (This, Next'Result, Deck, Sight)
 
        --  Inputs remain where they were added, until they are 0.
        and then
@@ -241,13 +347,17 @@ package URV.Test_Runs with Pure, SPARK_Mode is
        and then
          (if Sight.Is_Cut then Next'Result.Added = Nothing_Added)
 
-       --  Otherwise each input moves within its rate limit, and is within the
-       --  running card's amplitude or returns to it.
+       --  Otherwise each input moves to the card's signal within its rate
+       --  limit. It is within the running card's amplitude or returns to it.
        and then
          (for all Which in Test_Surface =>
             (if not Sight.Is_Cut
              then abs (Next'Result.Added (Which) - This.Added (Which)) <=
-                    Rate_Step (Which))
+                    Rate_Step (Which)
+               and then Next'Result.Added (Which) =
+                 Moved
+                   (This.Added (Which), Signal_Of (Next'Result, Deck, Which),
+                    Which))
             and then
               abs Next'Result.Added (Which) <=
                 Integer'Max

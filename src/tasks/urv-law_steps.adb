@@ -1,9 +1,6 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with URV.Engine_Monitor;
-with URV.Law_Units;     use URV.Law_Units;
-with URV.Laws.Frames;   use URV.Laws.Frames;
-with URV.Test_Cards;    use type URV.Test_Cards.Input_Place;
+with URV.Test_Cards; use type URV.Test_Cards.Input_Place;
 
 package body URV.LAW_Steps with SPARK_Mode is
 
@@ -34,10 +31,10 @@ package body URV.LAW_Steps with SPARK_Mode is
    with
      Global => null,
      Post   =>
-       Cards.Run =
-         Test_Runs.Next
-           (Cards'Old.Run, Cards'Old.Deck, Sight_Of (Flown, Watched, Got))
-       and then Cards.Deck = Cards'Old.Deck
+       Are_Run (Cards'Old, Cards, Sight_Of (Flown, Watched, Got), Has_Ended)
+       and then Are_Conducted
+         (Test_Runs.Is_Running (Cards.Run'Old),
+          Test_Runs.Is_Running (Cards.Run), Flown, Watched, Got, Has_Ended)
        and then
          (if Is_Moving then not Is_Cut (Flown, Got)
           else Test_Runs.To_Servos (Cards.Run) = Nothing_Added
@@ -51,8 +48,7 @@ package body URV.LAW_Steps with SPARK_Mode is
    with
      Global => null,
      Post   =>
-       Cards.Run = Test_Runs.Next (Cards'Old.Run, Cards'Old.Deck, Sight)
-       and then Cards.Deck = Cards'Old.Deck
+       Are_Run (Cards'Old, Cards, Sight, Has_Ended)
        and then
          (if Is_Moving then not Sight.Is_Cut
           else Test_Runs.To_Servos (Cards.Run) = Nothing_Added
@@ -64,17 +60,15 @@ package body URV.LAW_Steps with SPARK_Mode is
       Is_Moving : out Boolean;
       Has_Ended : out Boolean)
    is
-      Started : constant Boolean :=
-        Test_Runs.Is_Running (Cards.Run)
-        or else Test_Runs.Is_Started (Cards.Run, Sight);
-      Before  : constant Increments := Cards.Run.Added;
+      Before : constant Test_Runs.Run := Cards.Run;
    begin
-      Cards.Run := Test_Runs.Next (Cards.Run, Cards.Deck, Sight);
-      Has_Ended := Started and then not Test_Runs.Is_Running (Cards.Run);
+      Cards.Run := Test_Runs.Next (Before, Cards.Deck, Sight);
+      Has_Ended := Test_Runs.Has_Ended (Before, Cards.Run, Sight);
       Is_Moving := not Sight.Is_Cut
         and then Cards.Run.Place /= Test_Cards.At_Command
         and then
-          (Before /= Nothing_Added or else Cards.Run.Added /= Nothing_Added);
+          (Before.Added /= Nothing_Added
+           or else Cards.Run.Added /= Nothing_Added);
    end Run_One;
 
    procedure Run_Cards
@@ -101,6 +95,49 @@ package body URV.LAW_Steps with SPARK_Mode is
       end if;
    end Run_Cards;
 
+   --  The laws' frame and the cards'. By_Card: Is_Moving of the cards.
+   procedure Fly_Laws
+     (This      : in out Laws.Memory;
+      Cards     : in out Test_Runs.Aboard;
+      Watched   : Monitor;
+      Used      : Settings;
+      Got       : Inputs;
+      By_Card   : out Boolean;
+      Has_Ended : out Boolean)
+   with
+     Global => null,
+     Post   =>
+       Is_Frame
+         (This'Old, This, Commands_Of (Got), Sensors_Of (Got), Used.By)
+       and then Cards.Deck = Cards'Old.Deck
+       and then Are_Conducted
+         (Test_Runs.Is_Running (Cards.Run'Old),
+          Test_Runs.Is_Running (Cards.Run), This, Watched, Got, Has_Ended)
+       and then Is_Heard (This'Old, This, Commands_Of (Got))
+       and then
+         (if By_Card then not Is_Cut (This, Got)
+          else Test_Runs.To_Servos (Cards.Run) = Nothing_Added
+            and then Test_Runs.To_Sticks (Cards.Run) = No_Sticks);
+
+   procedure Fly_Laws
+     (This      : in out Laws.Memory;
+      Cards     : in out Test_Runs.Aboard;
+      Watched   : Monitor;
+      Used      : Settings;
+      Got       : Inputs;
+      By_Card   : out Boolean;
+      Has_Ended : out Boolean)
+   is
+      Commands : constant Uplink_Buffer := Commands_Of (Got);
+      Seen     : Observation;
+   begin
+      Observe (This, Commands, Sensors_Of (Got), Used.By, Seen);
+      Run_Cards (Cards, This, Watched, Got, By_Card, Has_Ended);
+      Steer
+        (This, Commands, Seen, Test_Runs.To_Sticks (Cards.Run),
+         Test_Runs.To_Commands (Cards.Run), Used.Table);
+   end Fly_Laws;
+
    procedure Fly
      (This      : in out Laws.Memory;
       Cards     : in out Test_Runs.Aboard;
@@ -112,17 +149,11 @@ package body URV.LAW_Steps with SPARK_Mode is
    is
       Before   : constant Laws.Memory := This with Ghost;
       Commands : constant Uplink_Buffer := Commands_Of (Got);
-      Seen     : Observation;
    begin
       if Used.On then
-         Observe (This, Commands, Sensors_Of (Got), Used.By, Seen);
-         pragma Assert (Is_Heard (Before, This, Commands));
-         Run_Cards (Cards, This, Watched, Got, Result.By_Card, Has_Ended);
+         Fly_Laws
+           (This, Cards, Watched, Used, Got, Result.By_Card, Has_Ended);
          Result.Sticks := Test_Runs.To_Sticks (Cards.Run);
-         Steer
-           (This, Commands, Seen, Result.Sticks,
-            Test_Runs.To_Commands (Cards.Run), Used.Table);
-         pragma Assert (Is_Heard (Before, This, Commands));
          Result.By_Law := not Is_All_Stick (This);
          Result.Message :=
            (if Result.By_Card and then not Result.By_Law
@@ -165,20 +196,6 @@ package body URV.LAW_Steps with SPARK_Mode is
       end if;
    end Fly;
 
-   function Engine_After
-     (Before  : Monitor;
-      Sensors : Downlink_Buffer;
-      Checks  : Check_Table) return Engine_Monitor.Monitor
-   is
-     (Engine_Monitor.Next
-        (Before.Engine, Before.Power,
-         Speed    => Level_Of (Word_Of (Checks, RPM)),
-         Airspeed => Level_Of (Word_Of (Checks, Airspeed)),
-         Is_Known => not Is_Old (Sensors)
-           and then Checks (RPM).Is_Valid
-           and then Checks (Airspeed).Is_Valid))
-   with Global => null;
-
    procedure Watch
      (This     : in out Monitor;
       Checks   : Check_Table;
@@ -187,10 +204,13 @@ package body URV.LAW_Steps with SPARK_Mode is
       Got      : Inputs;
       Reported : out Health)
    is
+      Before  : constant Monitor := This with Ghost;
       Sensors : constant Downlink_Buffer := Sensors_Of (Got);
+      Seen    : Monitor with Ghost;
    begin
-      This.Engine := Engine_After (This, Sensors, Checks);
       Surface_Monitor.Advance (This, Sensors);
+      Seen := This;
+      This.Engine := Engine_After (This, Sensors, Checks);
       Reported := Reported_Health
         ((Failed => This.Failed, Places => This.Places), Flown.By_Law);
 
@@ -198,12 +218,15 @@ package body URV.LAW_Steps with SPARK_Mode is
       if Is_Old (Flown.Message) then
          Note_None_Sent (This);
       else
-         Note_Sent
-           (This,
-            Demands_Of
-              (With_Inputs (Servos (Flown.Message, Reported), Added)));
+         Note_Sent (This, Sent_Words (Flown.Message, Reported, Added));
          This.Power := Level_Of (Flown.Message (Throttle));
       end if;
+      pragma Assert
+        (This.Ranges = Seen.Ranges
+         and then This.Doubts = Seen.Doubts
+         and then This.Failed = Seen.Failed
+         and then This.Places = Seen.Places);
+      pragma Assert (Are_Watched (Before, This, Sensors));
    end Watch;
 
    procedure Decide
@@ -212,6 +235,8 @@ package body URV.LAW_Steps with SPARK_Mode is
       Got    : Inputs;
       Result : out Decision)
    is
+      Ran : constant Boolean := Test_Runs.Is_Running (This.Cards.Run)
+      with Ghost;
    begin
       Result.Reply := Answer_Of (This, Usual, Got);
       Result.Card_Reply := Card_Answer_Of (This, Usual, Got);
@@ -220,10 +245,16 @@ package body URV.LAW_Steps with SPARK_Mode is
          This.Cards :=
            Test_Runs.After_Block (Got.Block, This.Cards, Usual.On);
       end if;
+      pragma Assert (Test_Runs.Is_Running (This.Cards.Run) = Ran);
 
       Fly
         (This.Flown, This.Cards, This.Watched, In_Force (Usual, This.Set),
          Got, Result.Flown, Result.Has_Ended);
+      pragma Assert
+        (if Usual.On
+         then Are_Conducted
+           (Ran, Test_Runs.Is_Running (This.Cards.Run), This.Flown,
+            This.Watched, Got, Result.Has_Ended));
       if Usual.On then
          Result.Added := Test_Runs.To_Servos (This.Cards.Run);
          Watch

@@ -15,8 +15,11 @@ with URVOS;               use URVOS;
 with URV.Allocation;      use URV.Allocation;
 with URV.Buffers;         use URV.Buffers;
 with URV.Configurations;  use URV.Configurations;
+with URV.Engine_Monitor;  use type URV.Engine_Monitor.Monitor;
 with URV.Law_Inputs;      use URV.Law_Inputs;
+with URV.Law_Units;       use URV.Law_Units;
 with URV.Laws;            use URV.Laws;
+with URV.Laws.Frames;     use URV.Laws.Frames;
 with URV.Link_Loss;       use URV.Link_Loss;
 with URV.Sensor_Checks;   use URV.Sensor_Checks;
 with URV.Surface_Monitor; use URV.Surface_Monitor;
@@ -226,10 +229,42 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Checks    => Flown.Checks)
    with Global => null;
 
+   --  The cards after a frame. An end is reported.
+   function Are_Run
+     (Before, After : Test_Runs.Aboard;
+      Sight         : Test_Runs.Situation;
+      Has_Ended     : Boolean) return Boolean
+   is
+     (After.Deck = Before.Deck
+      and then After.Run = Test_Runs.Next (Before.Run, Before.Deck, Sight)
+      and then Has_Ended =
+        Test_Runs.Has_Ended (Before.Run, After.Run, Sight))
+   with Global => null, Ghost;
+
+   --  The facts of a frame's cards that the laws' work does not change. A card
+   --  begins only when new commands have switch 5 on. It runs only with this
+   --  switch, while the link is there, and while no surface has failed. Its
+   --  end is reported. Ran, Runs: a card runs before the frame, and after it.
+   function Are_Conducted
+     (Ran, Runs : Boolean;
+      Flown     : Laws.Memory;
+      Watched   : Monitor;
+      Got       : Inputs;
+      Has_Ended : Boolean) return Boolean
+   is
+     (if Runs
+      then not Is_Cut (Flown, Got)
+        and then Flown.Link.State = Linked
+        and then PWM_Transform.Is_On (Flown.Heard (Switch_5))
+        and then Watched.Failed = None
+        and then not Has_Ended
+        and then (if not Ran then not Is_Old (Commands_Of (Got)))
+      elsif Ran then Has_Ended)
+   with Global => null, Ghost;
+
    --  The laws' frame with its test card. The card sees what the laws have
-   --  observed in this frame, and its inputs change their work in it. A card
-   --  begins only when new commands have switch 5 on. With the laws off, cards
-   --  are unchanged.
+   --  observed in this frame, and its inputs change their work in it.
+   --  With the laws off, cards are unchanged.
    procedure Fly
      (This      : in out Laws.Memory;
       Cards     : in out Test_Runs.Aboard;
@@ -250,15 +285,41 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
        and then Cards.Deck = Cards'Old.Deck
        and then (if not Used.On then Cards.Run = Cards'Old.Run)
        and then
-         (if Used.On and then not Result.By_Card
-          then Test_Runs.To_Servos (Cards.Run) = Nothing_Added)
+         (if Used.On
+          then Is_Frame
+              (This'Old, This, Commands_Of (Got), Sensors_Of (Got), Used.By)
+            and then Are_Conducted
+              (Test_Runs.Is_Running (Cards.Run'Old),
+               Test_Runs.Is_Running (Cards.Run), This, Watched, Got,
+               Has_Ended)
+            and then Result.Sticks = Test_Runs.To_Sticks (Cards.Run))
        and then
-         (if Test_Runs.Is_Running (Cards.Run)
-            and then not Test_Runs.Is_Running (Cards.Run'Old)
-          then not Is_Old (Commands_Of (Got))
-            and then PWM_Transform.Is_On (This.Heard (Switch_5)));
+         (if Used.On and then not Result.By_Card
+          then Test_Runs.To_Servos (Cards.Run) = Nothing_Added);
 
    --  Surfaces and engine
+
+   function Engine_After
+     (Before  : Monitor;
+      Sensors : Downlink_Buffer;
+      Checks  : Check_Table) return Engine_Monitor.Monitor
+   is
+     (Engine_Monitor.Next
+        (Before.Engine, Before.Power,
+         Speed    => Level_Of (Word_Of (Checks, RPM)),
+         Airspeed => Level_Of (Word_Of (Checks, Airspeed)),
+         Is_Known => not Is_Old (Sensors)
+           and then Checks (RPM).Is_Valid
+           and then Checks (Airspeed).Is_Valid))
+   with Global => null;
+
+   --  The surfaces' words that the PWM task makes of a message.
+   function Sent_Words
+     (Message : Uplink_Buffer; Reported : Health; Added : Increments)
+      return Surface_Demands
+   is
+     (Demands_Of (With_Inputs (Servos (Message, Reported), Added)))
+   with Global => null;
 
    --  The sensors show how surfaces and engine have followed. The monitor then
    --  takes the words that the PWM task makes of the message. Other surfaces
@@ -274,7 +335,26 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
       Reported : out Health)
    with
      Global => null,
-     Post   => (if not Flown.By_Law then Reported.Failed = None);
+     Post   =>
+       Are_Watched (This'Old, This, Sensors_Of (Got))
+       and then This.Engine =
+         Engine_After (This'Old, Sensors_Of (Got), Checks)
+       and then Reported =
+         Reported_Health
+           ((Failed => This.Failed, Places => This.Places), Flown.By_Law)
+       and then (if not Flown.By_Law then Reported.Failed = None)
+
+       --  The words of the last three frames, and the throttle's.
+       and then This.Sent_First = This.Sent_Before'Old
+       and then This.Sent_Before = This.Sent'Old
+       and then
+         (if Is_Old (Flown.Message)
+          then This.Sent = This.Sent'Old
+            and then This.Unknown = This.Unknown'Old
+            and then This.Power = This.Power'Old
+          else This.Sent = Sent_Words (Flown.Message, Reported, Added)
+            and then This.Unknown = Integer'Max (This.Unknown'Old - 1, 0)
+            and then This.Power = Level_Of (Flown.Message (Throttle)));
 
    --  With the laws off and no block for them, the commands pass on, and the
    --  memory is not used.
@@ -311,18 +391,43 @@ package URV.LAW_Steps with Pure, SPARK_Mode is
          (if not Usual.On then This.Watched = This.Watched'Old)
        and then This.Cards.Deck = Deck_After (This'Old, Usual, Got)
 
+       --  The laws' frame, with the settings of this frame, and the monitor's.
+       and then
+         (if Usual.On
+          then Is_Frame
+              (This.Flown'Old, This.Flown, Commands_Of (Got),
+               Sensors_Of (Got), In_Force (Usual, This.Set).By)
+            and then Are_Watched
+              (This.Watched'Old, This.Watched, Sensors_Of (Got))
+            and then Result.Reported =
+              Reported_Health
+                ((Failed => This.Watched.Failed,
+                  Places => This.Watched.Places), Result.Flown.By_Law)
+            and then Result.Added = Test_Runs.To_Servos (This.Cards.Run)
+            and then Result.Flown.Sticks =
+                       Test_Runs.To_Sticks (This.Cards.Run))
+
        and then
          (if Is_Passive (Usual, Got)
           then Result = Passed_On (Got) and then This = This'Old)
 
        --  Without a card nothing is added. A card begins only when new
-       --  commands have switch 5 on.
+       --  commands have switch 5 on. It runs only with this switch, while the
+       --  link is there, and while no surface has failed. Its end is reported.
        and then
          (if not Result.Flown.By_Card then Result.Added = Nothing_Added)
        and then
-         (if Test_Runs.Is_Running (This.Cards.Run)
-            and then not Test_Runs.Is_Running (This.Cards.Run'Old)
-          then not Is_Old (Commands_Of (Got))
-            and then PWM_Transform.Is_On (This.Flown.Heard (Switch_5)));
+         (if not Usual.On
+          then This.Cards.Run = This.Cards.Run'Old
+          elsif Test_Runs.Is_Running (This.Cards.Run)
+          then not Is_Cut (This.Flown, Got)
+            and then This.Flown.Link.State = Linked
+            and then PWM_Transform.Is_On (This.Flown.Heard (Switch_5))
+            and then This.Watched.Failed'Old = None
+            and then
+              (if not Test_Runs.Is_Running (This.Cards.Run'Old)
+               then not Is_Old (Commands_Of (Got)))
+          elsif Test_Runs.Is_Running (This.Cards.Run'Old)
+          then Result.Has_Ended);
 
 end URV.LAW_Steps;
