@@ -847,6 +847,63 @@ def test_gnd28_it_fits_without_scrolling_and_nothing_overlaps(
     assert station.state()["holder"] is None
 
 
+PANELS = {"c": "#orders", "f": "#cards", "r": "#recorder", "g": "#gamepads"}
+
+
+def test_gnd28_one_panel_over_the_sticks_at_a_time(station, pages):
+    """With the recorder's panel open the keys of orders and cards seemed to do
+    nothing: theirs opened beneath it. Esc closed none of them."""
+    page = pages.open()
+
+    def shown():
+        return [panel for panel in PANELS.values()
+                if page.locator(panel).is_visible()]
+    for key in "rcgfcr":
+        page.keyboard.press(key)
+        assert shown() == [PANELS[key]]
+    page.keyboard.press("m")
+    page.keyboard.press("Escape")
+    assert shown() == ["#recorder"]
+    page.keyboard.press("Escape")
+    assert shown() == []
+    page.locator("#open_cards").click()
+    page.locator("#configure").click()
+    assert shown() == ["#orders"]
+    page.keyboard.press("c")
+    assert shown() == []
+
+
+CUT_BUTTONS = """() => [...document.querySelectorAll("aside .panel")].flatMap(
+  panel => [...panel.querySelectorAll("button")].filter(one =>
+    one.checkVisibility() && (
+      one.getBoundingClientRect().right > panel.getBoundingClientRect().right
+      || one.getBoundingClientRect().bottom
+        > panel.getBoundingClientRect().bottom)).map(one => one.id))"""
+
+
+def test_gnd28_no_button_is_cut_when_the_sticks_are_asked_for(
+        station, pages):
+    """The question pushed two buttons out of the panel, and a window of 900 to
+    1279 pixels cut four at its edge."""
+    first, second = pages.open(1280, 800), pages.open(1280, 800)
+    take_sticks(first)
+
+    def is_asked():
+        if station.state()["holder"] == 2:
+            second.keyboard.press("x")
+            take_sticks(first)
+        second.keyboard.press("t")
+        first.wait_for_timeout(200)
+        cut = first.evaluate(CUT_BUTTONS)
+        return first.locator("#asked").is_visible() and [cut]
+    assert until(is_asked, "the question") == [[]]
+    pages.close(second)
+    for width in (900, 1024, 1279):
+        first.set_viewport_size({"width": width, "height": 700})
+        assert settled(first, lambda: first.evaluate(CUT_BUTTONS), []) == [], (
+            width)
+
+
 CONTRAST = """() => {
   const light = text => {
     const [r, g, b] = text.match(/[\\d.]+/g).map(Number).map(x => {

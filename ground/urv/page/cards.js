@@ -3,6 +3,7 @@
 // runs, its envelope, and why the last one ended.
 
 import { byId, html, put, say } from "./draw.js";
+import { Overlay } from "./overlay.js";
 
 const SHAPE = { waiting: "\u2026 ", taken: "\u2713 ", refused: "\u25c6 ",
   lost: "\u25c6 " };
@@ -12,30 +13,16 @@ const WARNED_MS = 10_000;
 export class Cards {
   constructor(send, hands) {
     this.send = send;
-    this.dialog = byId("cards");
+    this.overlay = new Overlay("cards", "open_cards", "close_cards");
     this.shown = "";
     this.said = "";
     this.saidAt = 0;
-    byId("open_cards").addEventListener("click", () => this.turn());
-    byId("close_cards").addEventListener("click", () => this.dialog.close());
     byId("end_card").addEventListener("click", () => {
       hands.endCard();
       document.activeElement?.blur();
     });
-    this.dialog.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") this.dialog.close();
-    });
     byId("card_file").addEventListener("change", (event) =>
       this.read(event.target));
-  }
-
-  // Beside the instruments: the flight continues.
-  turn() {
-    if (this.dialog.open) this.dialog.close();
-    else {
-      this.dialog.show();
-      document.activeElement?.blur();
-    }
   }
 
   async read(input) {

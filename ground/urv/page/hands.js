@@ -239,7 +239,7 @@ export class Hands {
     const actions = { t: () => this.take(), h: () => this.send({ t: "pilot" }),
       x: () => this.send({ t: "release" }),
       y: () => this.answer(true), n: () => this.answer(false),
-      g: () => this.panel.turn() };
+      g: () => this.panel.overlay.turn() };
     if (key in actions) {
       if (once) actions[key]();
     } else if (/^[1-8]$/.test(key)) {

@@ -393,13 +393,13 @@ addEventListener("keydown", (event) => {
   } else if (event.key === "l" || event.key === "L") {
     turn_theme();
   } else if (event.key === "c" || event.key === "C") {
-    orders.turn();
+    orders.overlay.turn();
   } else if (event.key === "f" || event.key === "F") {
-    cards.turn();
+    cards.overlay.turn();
   } else if (event.key === "e" || event.key === "E") {
     hands.endCard();
   } else if (event.key === "r" || event.key === "R") {
-    recorder.turn();
+    recorder.overlay.turn();
   } else if (event.key === "?") {
     byId("keys").showModal();
   }

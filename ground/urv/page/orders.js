@@ -3,18 +3,14 @@
 // link. The aircraft's answer is shown below them.
 
 import { byId, put, say } from "./draw.js";
+import { Overlay } from "./overlay.js";
 
 const SHAPE = { waiting: "\u2026 ", taken: "\u2713 ", refused: "\u25c6 ",
   lost: "\u25c6 " };
 
 export class Orders {
   constructor(send) {
-    this.dialog = byId("orders");
-    byId("configure").addEventListener("click", () => this.turn());
-    byId("close_orders").addEventListener("click", () => this.dialog.close());
-    this.dialog.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") this.dialog.close();
-    });
+    this.overlay = new Overlay("orders", "configure", "close_orders");
     byId("ordering").addEventListener("submit", (event) => {
       event.preventDefault();
       const tenths = (id) => Math.round(Number(byId(id).value) * 10);
@@ -23,15 +19,6 @@ export class Orders {
       // The keys fly again.
       document.activeElement?.blur();
     });
-  }
-
-  // Beside the instruments, without covering them: the flight continues.
-  turn() {
-    if (this.dialog.open) this.dialog.close();
-    else {
-      this.dialog.show();
-      document.activeElement?.blur();
-    }
   }
 
   draw(order, mine, silent) {

@@ -4,6 +4,7 @@
 
 import { byId, fixed, html, put, say } from "./draw.js";
 import { AXES, BUTTONS, isMapped, mappingOf, valueOf } from "./gamepads.js";
+import { Overlay } from "./overlay.js";
 
 const MOVES = {
   roll: "move the stick fully to the right",
@@ -23,15 +24,14 @@ function told(place) {
 export class PadPanel {
   constructor(gamepads) {
     this.gamepads = gamepads;
-    this.dialog = byId("gamepads");
+    this.overlay = new Overlay("gamepads", "choose_pad", "close_pads",
+      () => {
+        this.gamepads.learning = null;
+        this.mapped = null;
+      });
     this.uses = [];
     this.mapped = null;
     this.listed = "";
-    byId("choose_pad").addEventListener("click", () => this.turn());
-    byId("close_pads").addEventListener("click", () => this.close());
-    this.dialog.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") this.close();
-    });
     this.cells = new Map();
     for (const name of [...AXES, ...BUTTONS]) this.cell(name);
   }
@@ -87,21 +87,6 @@ export class PadPanel {
     for (const [name, { label }] of this.cells) say(label, named(name));
   }
 
-  turn() {
-    if (this.dialog.open) this.close();
-    else {
-      this.dialog.show();
-      document.activeElement?.blur();
-    }
-  }
-
-  close() {
-    this.gamepads.learning = null;
-    this.mapped = null;
-    this.dialog.close();
-    document.activeElement?.blur();
-  }
-
   // The gamepad that is being mapped.
   pad() {
     return this.gamepads.all().find(
@@ -110,7 +95,7 @@ export class PadPanel {
 
   // A gamepad does not fly while it is being mapped.
   get isMapping() {
-    return this.dialog.open && this.mapped !== null;
+    return this.overlay.open && this.mapped !== null;
   }
 
   list(pads) {
@@ -145,7 +130,7 @@ export class PadPanel {
   }
 
   draw() {
-    if (!this.dialog.open) return;
+    if (!this.overlay.open) return;
     const pads = this.gamepads.all();
     this.list(pads);
     const pad = this.pad();

@@ -3,6 +3,7 @@
 // after a landing, and the rows that are missing.
 
 import { byId, put, say } from "./draw.js";
+import { Overlay } from "./overlay.js";
 
 const ROWS_PER_SECOND = 50;
 
@@ -14,7 +15,8 @@ const duration = (time) => time < 90 ? `${Math.round(time)} s`
 
 export class Recorder {
   constructor(send) {
-    this.dialog = byId("recorder");
+    this.overlay = new Overlay("recorder", "open_recorder",
+      "close_recorder");
     const says = (what) => () => {
       const last = Number(byId("fetch_last").value);
       send({ t: "recorder", what,
@@ -22,27 +24,12 @@ export class Recorder {
       // The keys fly again.
       document.activeElement?.blur();
     };
-    byId("open_recorder").addEventListener("click", () => this.turn());
-    byId("close_recorder").addEventListener("click",
-      () => this.dialog.close());
-    this.dialog.addEventListener("keydown", (event) => {
-      if (event.key === "Escape") this.dialog.close();
-    });
     byId("ask_recorder").addEventListener("click", says("ask"));
     byId("stop_fetch").addEventListener("click", says("stop"));
     byId("fetching").addEventListener("submit", (event) => {
       event.preventDefault();
       says("fetch")();
     });
-  }
-
-  // Beside the instruments: the flight continues.
-  turn() {
-    if (this.dialog.open) this.dialog.close();
-    else {
-      this.dialog.show();
-      document.activeElement?.blur();
-    }
   }
 
   draw(recorder, may, there) {
