@@ -93,7 +93,6 @@ def send(
     The node sends them up. While a console has the sticks, the node takes orders
     from its station only: send them from the page, or before."""
     import secrets
-    import socket
     import time
 
     from urv import faults, packets, station
@@ -101,15 +100,17 @@ def send(
     address = station.address("--console", console)
     deck = chosen(file, choose)
     run = secrets.randbits(32)
+    out, there = station.sender_to("--console", address)
     try:
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as out:
+        with out:
             for place, each in enumerate(deck, 1):
                 out.sendto(packets.CardPacket(
                     run, place, time.time_ns() // 1000,
-                    each.words()).encode(), address)
+                    each.words()).encode(), there)
                 time.sleep(BETWEEN_MS / 1000)
     except OSError as fault:
-        raise faults.Refused(f"--console {console}: {fault}") from fault
+        raise faults.Refused(
+            f"--console {console}: {faults.reason(fault)}") from fault
     print(f"{len(deck) - 1} cards sent to {console}; the aircraft reads them"
           " back in its log")
 

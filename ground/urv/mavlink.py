@@ -126,14 +126,7 @@ class Sender:
     """A file for datagrams, which never blocks."""
 
     def __init__(self, there: tuple[str, int]) -> None:
-        try:
-            family, kind, _, _, self._there = socket.getaddrinfo(
-                *there, type=socket.SOCK_DGRAM)[0]
-        except OSError as error:
-            raise faults.Refused(
-                f"--to: there is no host {faults.quoted(there[0])}"
-            ) from error
-        self._socket = socket.socket(family, kind)
+        self._socket, self._there = station.sender_to("--to", there)
         self._socket.setblocking(False)
         self.sent = 0
         self.not_sent = 0

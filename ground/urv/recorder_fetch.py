@@ -55,15 +55,14 @@ class Node:
 
     def __enter__(self):
         self.run = secrets.randbits(32)
-        family = (socket.AF_INET6 if ":" in self.address[0]
-                  else socket.AF_INET)
-        self.socket = socket.socket(family, socket.SOCK_DGRAM)
+        self.socket, there = station.sender_to("--console", self.address)
         try:
-            self.socket.connect(self.address)
+            self.socket.connect(there)
         except OSError as fault:
             self.socket.close()
             raise faults.Refused(
-                f"--console {self.console}: {fault}") from fault
+                f"--console {self.console}: {faults.reason(fault)}"
+            ) from fault
         return self
 
     def __exit__(self, *_):

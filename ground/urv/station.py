@@ -16,7 +16,7 @@ import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING
-from urllib.parse import quote
+from urllib.parse import quote, urlsplit
 
 import typer
 
@@ -83,9 +83,10 @@ def station(
     if token is not None and not (token.isascii() and token.isprintable()):
         raise faults.Refused("--token: a word of printable ASCII characters"
                              " is needed")
-    if yamcs is not None and not yamcs.startswith("http://"):
-        raise faults.Refused(
-            f"--yamcs {faults.quoted(yamcs)}: not http://HOST:PORT")
+    if yamcs is not None:
+        check_yamcs(yamcs)
+    if not is_name(listen):
+        raise faults.Refused(f"--listen {faults.quoted(listen)}: no address")
     # A missing folder may still be made before a fetch.
     if recordings.exists() and not recordings.is_dir():
         raise faults.Refused(
@@ -122,6 +123,35 @@ def address(option: str, given: str, wanted: str = "udp"
         raise faults.Refused(
             f"{option} {faults.quoted(given)}: not {wanted}:HOST:PORT")
     return host.strip("[]"), int(port)
+
+
+def sender_to(option: str, place: tuple[str, int]
+              ) -> tuple[socket.socket, tuple]:
+    """A socket that sends datagrams to a host and port, and the address for
+    sendto. The name is looked up once: a look-up may take seconds, and a sender
+    must not wait."""
+    try:
+        family, kind, _, _, there = socket.getaddrinfo(
+            *place, type=socket.SOCK_DGRAM)[0]
+    except OSError as error:
+        raise faults.Refused(f"{option}: there is no host"
+                             f" {faults.quoted(place[0])}") from error
+    return socket.socket(family, kind), there
+
+
+def check_yamcs(url: str) -> None:
+    """Raises faults.Refused for anything but a URL of a Yamcs."""
+    try:
+        parts = urlsplit(url)
+        is_one = (url.isascii() and url.isprintable() and " " not in url
+                  and parts.scheme == "http" and bool(parts.hostname)
+                  and is_name(parts.hostname) and parts.port != 0
+                  and not parts.query and not parts.fragment)
+    except ValueError:
+        is_one = False
+    if not is_one:
+        raise faults.Refused(f"--yamcs {faults.quoted(url)}: not"
+                             " http://HOST:PORT or http://HOST:PORT/PATH")
 
 
 def is_name(host: str) -> bool:
@@ -187,6 +217,9 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
 
     loop = asyncio.get_running_loop()
     keeper = archive.Archive(yamcs) if yamcs else None
+    sender = None
+    if console is not None:
+        sender, console = sender_to("--console", console)
     if events:
         whole_files.refuse_link(events)
     kept = outputs.Output.of_file("--events", events) if events else None
@@ -217,10 +250,7 @@ async def serve(listen, port, token, frames, console, relay, events, yamcs,
         socket.SOCK_STREAM, *relay, "--relay")
     door = bound(socket.SOCK_STREAM, listen, port, "--listen")
     receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 20)
-    sender = None
-    if console is not None:
-        family = socket.AF_INET6 if ":" in console[0] else socket.AF_INET
-        sender = socket.socket(family, socket.SOCK_DGRAM)
+    if sender is not None:
         sender.setblocking(False)
 
     def send(packet: bytes) -> None:

@@ -8,8 +8,8 @@ import socket
 
 import typer
 
-from urv import faults, outputs
-from urv.station import bound, until_ended
+from urv import outputs
+from urv.station import bound, check_yamcs, until_ended
 
 HERE = "127.0.0.1"
 
@@ -24,15 +24,8 @@ def yamcs_gate(
         " one."),
 ):
     """Serve the pages of a Yamcs to this machine."""
-    check(yamcs)
+    check_yamcs(yamcs)
     asyncio.run(until_ended(serve(yamcs, port)))
-
-
-def check(yamcs: str) -> None:
-    """Raises faults.Refused for anything but a URL of a Yamcs."""
-    if not yamcs.startswith("http://"):
-        raise faults.Refused(f"--yamcs {faults.quoted(yamcs)}: not"
-                             " http://HOST:PORT or http://HOST:PORT/PATH")
 
 
 async def serve(yamcs: str, port: int) -> None:

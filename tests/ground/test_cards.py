@@ -2,6 +2,7 @@
 """FTI-7: test cards at the ground."""
 
 import re
+import socket
 import subprocess
 import sys
 from pathlib import Path
@@ -176,6 +177,21 @@ def test_fti7_d100_bad_places_are_refused(tmp_path, before, after, message):
     with pytest.raises(faults.Refused) as refused:
         cards.read(path)
     assert message in str(refused.value)
+
+
+def test_fti7_cards_are_sent_over_ipv6_and_to_no_unknown_host(urv, tmp_path):
+    (tmp_path / "cards.toml").write_text(GOOD, "utf-8")
+    with socket.socket(socket.AF_INET6, socket.SOCK_DGRAM) as node:
+        node.bind(("::1", 0))
+        node.settimeout(30)
+        result = urv("card", "send", "cards.toml", "--console",
+                     f"udp:[::1]:{node.getsockname()[1]}")
+        assert (result.returncode, result.stderr) == (0, "")
+        assert node.recv(256)
+    result = urv("card", "send", "cards.toml", "--console",
+                 "udp:no-such.invalid:1")
+    assert (result.returncode, result.stderr) == (
+        2, 'urv: --console: there is no host "no-such.invalid"\n')
 
 
 def test_fti7_the_commands_print_and_plot(tmp_path):

@@ -958,9 +958,13 @@ def test_sec11_elsewhere_than_here_a_token_is_demanded_with_a_warning(record, tm
     ("--frames", "udp:nowhere"), ("--frames", "tcp:127.0.0.1:1"),
     ("--console", "udp:127.0.0.1:70000"), ("--port", "99999"),
     ("--token", "short"), ("--yamcs", "https://127.0.0.1"),
-    ("--listen", "203.0.113.1")])
+    ("--listen", "203.0.113.1"),
+    # A variable of a shell that is not set: it listened at every address.
+    ("--listen", ""),
+    # It started, looked the name up for each packet, and no stick went up.
+    ("--console", "udp:no-such.invalid:6004")])
 def test_gnd23_bad_options_are_refused(urv, arguments):
-    result = urv("station", *arguments)
+    result = urv("station", "--seconds", "0.1", *arguments)
     assert result.returncode == 2
     assert result.stderr.startswith("urv: ")
     assert len(result.stderr.splitlines()) == 1

@@ -20,7 +20,7 @@ from flight_rig import Ground, needs_yamcs
 from station_rig import PATIENCE_S, until
 from yarl import URL
 
-from urv import faults, gate, ground, yamcs_gate
+from urv import gate, ground
 
 SECRET = "/7cd1f0"
 LARGE = 3 * gate.PART
@@ -311,9 +311,19 @@ def test_sec15_yamcs_s_files_are_not_written_through_links(tmp_path, name):
     flight.terminal.close()
 
 
-def test_sec13_what_is_no_url_is_refused():
-    with pytest.raises(faults.Refused, match="--yamcs \"127.0.0.1\": not"):
-        yamcs_gate.check("127.0.0.1")
+@pytest.mark.parametrize("url", [
+    "127.0.0.1", "http://", "http://[", "http://127.0.0.1:99999/",
+    "http://127.0.0.1:0/", "http://here:port/", "http://two words/"])
+def test_sec13_what_is_no_url_is_refused(urv, url):
+    """The gate ended with a traceback, and the station started: the archive
+    then never answered."""
+    for command in (("yamcs-gate", "--port", "0"), (
+            "station", "--seconds", "0.1", "--port", "0",
+            "--frames", "udp:127.0.0.1:0")):
+        result = urv(*command, "--yamcs", url)
+        assert (result.returncode, result.stderr) == (
+            2, f'urv: --yamcs "{url}": not http://HOST:PORT or'
+            " http://HOST:PORT/PATH\n")
 
 
 # A flight's own Yamcs, started once.
