@@ -610,7 +610,9 @@ class Flight:
         self.follow_programs()
         for log in self.logs.values():
             log.close()
-        self.collect_events()
+        # Without a flight the files are those of an earlier one.
+        if self.statuses.get("urv_gsc", REFUSES) != REFUSES:
+            self.collect_events()
         self.look_at_outputs()
         self.say(f"ground: records and logs are in {self.shown()}")
         self.terminal.close()
@@ -654,7 +656,10 @@ class Flight:
             made.close()
             self.logs["events.jsonl"] = made
         except (OSError, ValueError) as error:
-            self.say(f"ground: no events.jsonl: {error}")
+            reason = (f"{Path(error.filename).name}: {faults.reason(error)}"
+                      if isinstance(error, OSError) and error.filename
+                      else str(error))
+            self.say(f"ground: events.jsonl is not written: {reason}")
 
     def shown(self) -> str:
         try:

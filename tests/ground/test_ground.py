@@ -302,6 +302,22 @@ def test_gnd31_what_a_node_refuses_is_reported_in_its_words(
                              for node in ("urv_mcs", "urv_gsc")]
 
 
+def test_gnd27_a_refused_flight_leaves_the_events_of_the_one_before(
+        tmp_path, urv):
+    """Marks and alerts of that flight were lost, or a line said that there is
+    no file."""
+    folder = tmp_path / "flight"
+    folder.mkdir()
+    (folder / "ground.jsonl").write_text("{}\n")
+    (folder / "events.jsonl").write_text("earlier\n")
+    result = urv("ground", "--no-yamcs", "--folder", folder,
+                 "--page-port", free_ports(1)[0], "--ports", free_ports(5)[0],
+                 "--format", "2")
+    assert result.returncode == 2, result.stderr
+    assert "events.jsonl" not in result.stdout
+    assert (folder / "events.jsonl").read_text() == "earlier\n"
+
+
 def test_gnd21_a_stick_moved_on_the_page_moves_the_servos(
         tmp_path, browser):
     with Ground(tmp_path, "--no-yamcs") as ground:
