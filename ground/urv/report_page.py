@@ -120,6 +120,9 @@ def head(flights, summary=None):
         mark = f"{letter}: " if len(flights) > 1 else ""
         cut = (f"; it was cut short: {escape(flight.cut_short)}"
                if flight.cut_short else "")
+        if flight.rows < flight.frames:
+            lacking = flight.frames - flight.rows
+            cut += f"; {verdicts.counted(lacking, 'frame')} without a row"
         if flight is flights[0]:
             cut += "".join(f"; {escape(each)}" for each in missing)
         begin, end = flight.seconds[0], flight.seconds[-1]

@@ -398,6 +398,16 @@ def test_gnd14_gaps_are_gaps(reports, browser, sagging):
                              ) is False
 
 
+def test_gnd14_frames_without_a_row_are_counted(urv, tmp_path, brief):
+    """The head had two numbers of frames of one record, without a reason."""
+    lines = (brief / "record.csv").read_text().splitlines(keepends=True)
+    (tmp_path / "r.csv").write_text("".join(lines[:100] + lines[103:]))
+    assert urv("report", "r.csv", "-o", "r.html").returncode == 0
+    assert "997 frames, 0.02 s to 20.00 s, 162 columns; 3 frames without a" \
+        " row</p>" in (tmp_path / "r.html").read_text("utf-8").replace(
+            "\N{NO-BREAK SPACE}", " ")
+
+
 def test_gnd14_a_click_on_an_exceedance_shows_it(
         reports, browser, sagging):
     with opened(browser, reports(sagging)) as page:
