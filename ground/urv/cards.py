@@ -207,7 +207,7 @@ def read(path: Path) -> list[Card]:
     """The cards of a file, in its order. Raises faults.Refused."""
     where = faults.quoted(path)[1:-1]
     try:
-        with input_files.opened_text(path) as file:
+        with input_files.opened_typed(path) as file:
             text = file.read()
     except UnicodeDecodeError as fault:
         raise faults.Refused(f"{where}: no TOML: {fault}") from fault

@@ -518,7 +518,10 @@ def read(path, progress, folder=None):
     that was cut short is read as far as it is whole."""
     with records.opened(path, forgiving=True) as record:
         columns = StoredColumns(record.names, folder)
+        place, last = record.names.index("time_ms"), 0.0
         for rows in record.blocks():
+            check_order(path, numpy.r_[last, rows[:, place]], columns.rows)
+            last = rows[-1, place]
             columns.add(rows)
             progress(record)
         if not columns.rows:
@@ -526,6 +529,17 @@ def read(path, progress, folder=None):
                 f"{faults.quoted(path)}: the record has no rows")
         columns.end()
         return Flight(path, columns, record.cut_short)
+
+
+def check_order(path, times, before):
+    """Refuses times that go back. The first one is that of the row before."""
+    back = numpy.flatnonzero(numpy.diff(times) < 0)
+    if len(back):
+        row = back[0]
+        raise faults.Refused(
+            f"{faults.quoted(path)}: time_ms goes back from {times[row]:g} to"
+            f" {times[row + 1]:g} at row {before + row + 1}: not the record of"
+            " one flight")
 
 
 def read_events(path):

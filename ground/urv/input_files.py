@@ -53,6 +53,12 @@ def opened_text(path):
     return io.TextIOWrapper(opened(path), encoding="utf-8", newline="\n")
 
 
+def opened_typed(path):
+    """The same for a file that a person has written: some editors and
+    spreadsheets begin UTF-8 with a byte order mark."""
+    return io.TextIOWrapper(opened(path), encoding="utf-8-sig", newline="\n")
+
+
 def opened_ascii(path):
     """The same as ASCII; each other byte is a character that no line has."""
     return io.TextIOWrapper(opened(path), encoding="ascii", errors="replace",
@@ -67,7 +73,7 @@ def text(path):
         raise faults.Refused(f"{faults.quoted(path)} is larger than"
                              f" {LARGEST_JSON} bytes")
     try:
-        return read.decode("utf-8")
+        return read.decode("utf-8-sig")
     except UnicodeDecodeError as fault:
         raise faults.Refused(f"{faults.quoted(path)}: not a text file"
                              ) from fault

@@ -183,6 +183,12 @@ class CsvRecord:
         header = self.next_line(1)
         if header is None:
             raise faults.Refused(f"{self.where(1)}: the file is empty")
+        for mark, what in (("\ufeff", "it begins with a byte order mark"),
+                           ("\r\n", "its lines end with CR LF")):
+            if header.startswith(mark) or header.endswith(mark):
+                raise faults.Refused(
+                    f"{self.where(1)}: {what}; a record is UTF-8 with LF"
+                    " alone: save it so, or give the file as it was recorded")
         names = [name[1:] if FORMULA.match(name, 1)
                  and name[0] == TEXT_MARK else name
                  for name in header[:-1].split(",")]

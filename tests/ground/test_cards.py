@@ -47,6 +47,12 @@ def run(*arguments):
         capture_output=True, text=True, timeout=120, check=False)
 
 
+def test_fti7_a_byte_order_mark_is_no_mistake(tmp_path):
+    """The page took such a file, and the command did not."""
+    assert (cards.read(written(tmp_path, "\ufeff" + GOOD))
+            == cards.read(written(tmp_path, GOOD)))
+
+
 def test_fti7_a_file_becomes_words(tmp_path):
     first, second = cards.read(written(tmp_path, GOOD))
     assert first.words()[:11] == (

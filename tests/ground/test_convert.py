@@ -164,7 +164,8 @@ BAD = {
     "a,b\n1,2\n": (":1: not a flight's record: it has no column frame and no"
                    " time_ms"),
     "frame,time_ms\r\n0,20\r\n": (
-        ':1: "time_ms\\r" is not a column name'),
+        ":1: its lines end with CR LF; a record is UTF-8 with LF alone: save"
+        " it so, or give the file as it was recorded"),
     "frame,time_ms\n0,20\n1,NaN\n": ':3: time_ms: "NaN" is not a number',
     "frame,time_ms\n0,20\n1,4_0\n": ':3: time_ms: "4_0" is not a number',
     "frame,time_ms\n0,20\n1,9007199254740993\n": (

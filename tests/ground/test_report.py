@@ -455,9 +455,23 @@ BAD_RECORDS = {
 }
 
 
+BAD_RECORDS |= {
+    "\ufeffframe,time_ms\n0,20\n": (
+        ":1: it begins with a byte order mark; a record is UTF-8 with LF"
+        " alone: save it so, or give the file as it was recorded"),
+    "frame,time_ms\r\n0,20\r\n": (
+        ":1: its lines end with CR LF; a record is UTF-8 with LF alone: save"
+        " it so, or give the file as it was recorded"),
+    # It had "100.00 % of -1997 frames".
+    "frame,time_ms\n1,20\n2,40\n1,20\n": (
+        ": time_ms goes back from 40 to 20 at row 3: not the record of one"
+        " flight"),
+}
+
+
 @pytest.mark.parametrize("text", BAD_RECORDS, ids=lambda text: repr(text))
 def test_gnd13_a_bad_record_is_refused_with_its_line(urv, tmp_path, text):
-    (tmp_path / "bad.csv").write_text(text, encoding="utf-8")
+    (tmp_path / "bad.csv").write_bytes(text.encode())
     result = urv("report", "bad.csv", "-o", "report.html")
     assert (result.returncode, result.stdout) == (2, "")
     assert len(result.stderr.splitlines()) == 1
