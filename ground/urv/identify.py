@@ -54,6 +54,16 @@ def identify(
         {"--aircraft": aircraft, "--manoeuvres": manoeuvres,
          **{f"RECORD {place}": each
             for place, each in enumerate(records, 1)}})
+    for place, each in enumerate(records, 1):
+        for other, its_place in zip(records, range(1, place)):
+            if whole_files.same_file(each, other):
+                raise faults.Refused(
+                    f"RECORD {its_place} and RECORD {place} name the same file:"
+                    f" {faults.quoted(each)}: its data would count twice")
+    # The estimate of many records takes minutes.
+    for each in (output, json, model):
+        if each:
+            whole_files.check(each)
     before = input_files.limit_memory()
     own = aircraft_file.read(aircraft or aircraft_file.DEFAULT)
     finders = ((finding.from_file(manoeuvres),) if manoeuvres

@@ -82,7 +82,7 @@ def check_distinct(outputs, inputs):
     others = [(name, path) for name, path in inputs.items() if path]
     for name, path in outputs:
         for other, its_path in others:
-            if _same_file(path, its_path):
+            if same_file(path, its_path):
                 raise faults.Refused(f"{other} and {name} name the same file:"
                                      f" {faults.quoted(path)}")
         others.append((name, path))
@@ -103,7 +103,9 @@ def no_link(path, flags):
     return os.open(path, flags, 0o666)
 
 
-def _same_file(left, right):
+def same_file(left, right):
+    """True if both paths lead to one file, which may not exist yet. Devices
+    are never the same."""
     left, right = Path(left), Path(right)
     if left.exists() and right.exists():
         return _can_be_replaced(left) and left.samefile(right)

@@ -1116,12 +1116,56 @@ def test_gnd61_what_no_aircraft_has_is_refused(
     ("begin_s,end_s,axes\n1,2,roll\n", "times.csv:2: axes are"),
     ("begin_s,end_s,axes\n1,2,both\n3,200,both\n",
      "times.csv:3: a manoeuvre lasts at most 120 s"),
+    # The message was that of a flight whose sticks never move.
+    ("begin_s,end_s,axes\n", "times.csv: it has no manoeuvre"),
+    # Data that counted twice made intervals narrower by the root of two.
+    ("begin_s,end_s,axes\n1,9,lateral\n20,30,both\n8,15,both\n",
+     "times.csv:4: overlaps the lateral manoeuvre of line 2"),
 ])
 def test_gnd61_bad_times_of_manoeuvres_are_refused(tmp_path, text, error):
     times = tmp_path / "times.csv"
     times.write_text(text, "utf-8")
     with pytest.raises(faults.Refused, match=re.escape(error)):
         manoeuvres.from_file(times)
+
+
+def test_gnd61_times_that_a_spreadsheet_wrote_are_read(tmp_path):
+    """They begin with a byte order mark and have CR LF: the message was that
+    the columns are begin_s,end_s,axes, which they were."""
+    times = tmp_path / "times.csv"
+    times.write_bytes("\ufeffbegin_s,end_s,axes\r\n1,2.5,both\r\n"
+                      "2.5,4,lateral\r\n".encode())
+    flight = SimpleNamespace(seconds=numpy.array([0.02, 4.0]))
+    first, second = manoeuvres.from_file(times)(flight)
+    assert (first.begin, first.end, first.axes, first.reason) == (
+        1.0, 2.5, ("longitudinal", "lateral"), "")
+    assert (second.end, second.reason) == (4.0, "")
+
+
+def test_gnd61_times_outside_of_the_record_are_reported(tmp_path):
+    """A manoeuvre that ends after the record was cut there without a word, and
+    one behind it was "shorter than 1 s"."""
+    times = tmp_path / "times.csv"
+    times.write_text("begin_s,end_s,axes\n5,15,lateral\n50,60,lateral\n",
+                     "utf-8")
+    flight = SimpleNamespace(seconds=numpy.array([0.02, 12.0]))
+    for each in manoeuvres.from_file(times)(flight):
+        assert each.reason == (
+            "it is not in the record, which has 0.02 to 12.00 s")
+
+
+def test_gnd62_no_data_count_twice_and_outputs_are_checked_first(
+        urv, tmp_path):
+    fly(tmp_path, "--seconds", "1")
+    result = urv("identify", "record.csv", "./record.csv")
+    assert (result.returncode, result.stderr) == (
+        2, 'urv: RECORD 1 and RECORD 2 name the same file: "record.csv":'
+        " its data would count twice\n")
+    # After minutes of work the result could not be written.
+    result = urv("identify", "record.csv", "--json", "none/result.json")
+    assert (result.returncode, result.stderr) == (
+        1, 'urv: "none/result.json" cannot be written: No such file or'
+        " directory\n")
 
 
 def test_gnd61_a_flight_without_manoeuvres_gives_one_line(

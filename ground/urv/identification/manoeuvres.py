@@ -12,6 +12,8 @@ goes first into FINDERS, and names its mark.
 from __future__ import annotations
 
 import csv
+import dataclasses
+import itertools
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -217,8 +219,8 @@ def from_file(path: Path):
     """A finder of the manoeuvres in a CSV file with the columns begin_s, end_s
     and axes: longitudinal, lateral or both. Raises faults.Refused."""
     where = faults.quoted(path)[1:-1]
-    given = []
-    with input_files.opened_text(path) as file:
+    given, lines = [], []
+    with input_files.opened_typed(path) as file:
         try:
             rows = csv.DictReader(file)
             if rows.fieldnames != ["begin_s", "end_s", "axes"]:
@@ -226,13 +228,42 @@ def from_file(path: Path):
                     f"{where}:1: the columns are begin_s,end_s,axes")
             for row in rows:
                 given.append(_manoeuvre(row, f"{where}:{rows.line_num}"))
+                lines.append(rows.line_num)
                 if len(given) > MOST:
                     raise faults.Refused(
                         f"{where}:{rows.line_num}: there may be {MOST}"
                         " manoeuvres")
         except (UnicodeDecodeError, csv.Error) as fault:
             raise faults.Refused(f"{where}: no text of CSV") from fault
-    return lambda _flight: given
+    if not given:
+        raise faults.Refused(f"{where}: it has no manoeuvre")
+    _check_apart(given, lines, where)
+    return lambda flight: [_within(each, flight.seconds) for each in given]
+
+
+def _check_apart(given, lines, where):
+    """Refuses manoeuvres of an axis that overlap: data that count twice narrow
+    the intervals without a reason."""
+    for axis in AXES:
+        flown = sorted((each.begin, each.end, line) for each, line
+                       in zip(given, lines, strict=True) if axis in each.axes)
+        for (_, end, before), (begin, _, line) in itertools.pairwise(flown):
+            if begin < end:
+                raise faults.Refused(
+                    f"{where}:{line}: overlaps the {axis} manoeuvre of line"
+                    f" {before}: its data would count twice")
+
+
+def _within(given, seconds):
+    """The manoeuvre, with the reason when the record does not have all of
+    it."""
+    first, last = seconds[0], seconds[-1]
+    margin = measurements.LONGEST_GAP_S
+    if first - margin <= given.begin and given.end <= last + margin:
+        return given
+    return dataclasses.replace(
+        given, reason=f"it is not in the record, which has {first:.2f} to"
+        f" {last:.2f} s")
 
 
 def _manoeuvre(row, where):
