@@ -327,6 +327,9 @@ def main():
     given = arguments.parse_args()
     if given.sticks:
         text, seconds = stick_script(given.seed)
+        # A flight without --seconds ends with its last row, which must not be
+        # that of the last movement.
+        text += f"{round(seconds * 1000)},{','.join([str(NEUTRAL)] * 4)}\n"
         given.sticks.write_text(text, "utf-8")
         print(f"{given.sticks}: {seconds:.1f} s")
         return

@@ -620,6 +620,18 @@ def flown(tmp_path_factory):
                "--conditions", "conditions.txt")
 
 
+def test_gnd64_the_flight_of_the_page_has_the_rest_of_its_last_manoeuvre(
+        flown):
+    """The record ended with the last movement: the manoeuvre for validation
+    lacked the 4 s after it."""
+    from urv import flights
+    last = manoeuvres.found(flights.read(
+        flown / "record.csv", lambda _record: None))[-1]
+    script = (flown / "sticks.csv").read_text("ascii").splitlines()
+    moved_s = int(script[-2].partition(",")[0]) / 1000
+    assert last.end >= moved_s + manoeuvres.TAIL_S - 0.1
+
+
 def lateral_start(flight):
     """The lateral derivatives by equation error, and the segments."""
     own = aircraft.read()
