@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 
 LOST_S = 0.5
 """An older word is crossed out, and the link counts as lost."""
+STARTS_S = 10.0
+"""The time that the ground's node has for its first frame, before their absence
+is an alert: the station starts before it. Pages show it at once."""
 
 KNOT_FT_MIN = 6076.12 / 60
 LOG_LINES = 500
@@ -251,9 +254,10 @@ class View:
 
     def _look_at_age(self, age: float | None, now: float) -> None:
         """Checks whether frames arrive, and in time."""
-        waits = now - (self._began if self.frame is None else self._came)
+        waits, most = ((now - self._began, STARTS_S) if self.frame is None
+                       else (now - self._came, LOST_S))
         self._alert_over_time(
-            "silent", waits >= LOST_S, "NO FRAMES",
+            "silent", waits >= most, "NO FRAMES",
             "nothing comes from the ground's node", now)
         is_late = (age is not None and age >= LOST_S > waits)
         if is_late:

@@ -220,6 +220,21 @@ def test_gnd45_a_cold_start_in_flight_is_a_warning(values, level, text):
     assert (alert["level"], alert["text"]) == (level, text)
 
 
+def test_gnd26_a_station_that_starts_before_its_node_has_no_alert():
+    """Each flight of make ground began with the warning NO FRAMES."""
+    clock = Clock()
+    seen = view.View(now=clock)
+    for waited, is_alert in ((0.6, False), (9.9, False), (10.0, True)):
+        clock.now = 100.0 + waited
+        seen.look(clock.now)
+        assert seen.alerts.active("silent") == is_alert, waited
+    seen = view.View(now=clock)
+    seen.datagram(frame_of(0).encode())
+    clock.now += 0.6
+    seen.look(clock.now)
+    assert seen.alerts.active("silent")
+
+
 def test_gnd45_what_is_not_known_of_flying_is_as_it_was():
     flying = Flying()
     assert flying.look(frame_of(0))
