@@ -6,6 +6,7 @@ with Interfaces.C; use Interfaces.C;
 with System;
 
 with Host.Complaints;   use Host.Complaints;
+with Host.File_States;  use Host.File_States;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with URV.Sip_Hash; use type URV.Sip_Hash.Key;
 
@@ -32,36 +33,7 @@ package body Host.Key_Files is
    function Effective_User return Unsigned_32
    with Import, Convention => C, External_Name => "geteuid";
 
-   --  struct statx: the requested fields, and room for all that the system
-   --  writes.
-   Status_Bits : constant := 256 * 8;
-   type Rest_Of_Status is array (1 .. 113) of Unsigned_16;
-   type File_Status is record
-      Mask       : Unsigned_32 := 0;
-      Block_Size : Unsigned_32 := 0;
-      Attributes : Unsigned_64 := 0;
-      Links      : Unsigned_32 := 0;
-      User       : Unsigned_32 := 0;
-      Group      : Unsigned_32 := 0;
-      Mode       : Unsigned_16 := 0;
-      Rest       : Rest_Of_Status := (others => 0);
-   end record with Convention => C;
-   pragma Compile_Time_Error
-     (File_Status'Size /= Status_Bits, "not as long as struct statx");
-
-   function Get_Status
-     (Folder : int;
-      Path   : char_array;
-      Flags  : int;
-      Wanted : unsigned;
-      Found  : out File_Status) return int
-   with Import, Convention => C, External_Name => "statx";
-
-   Of_Descriptor : constant := 16#1000#;
-   Mode_Kind_User : constant := 16#B#;
-   Kind_Bits     : constant := 8#170_000#;
-   Regular       : constant := 8#100_000#;
-   Owners_Alone  : constant := 8#600#;
+   Owners_Alone : constant := 8#600#;
 
    function Random (Buffer : System.Address; Length : size_t; Flags : unsigned)
                     return long
@@ -131,16 +103,17 @@ package body Host.Key_Files is
 
    function Opened (Name : String) return int is
       File   : constant int := Open (To_C (Name), Open_Flags);
-      Status : File_Status;
+      Status : State;
+      Found  : Boolean := False;
       Unused : int;
    begin
       if File = Failed then
          Refuse (Name, 1, "cannot be read: " & GNAT.OS_Lib.Errno_Message);
-      elsif Get_Status
-        (File, To_C (""), Of_Descriptor, Mode_Kind_User, Status) = Failed
-      then
+      end if;
+      Read (File, Found, Status);
+      if not Found then
          Refuse (Name, 1, "its mode cannot be read");
-      elsif (Status.Mode and Kind_Bits) /= Regular then
+      elsif not Is_Regular (Status) then
          Unused := Close (File);
          Refuse (Name, 1, "is not a file");
       elsif Status.User /= Effective_User then

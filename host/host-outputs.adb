@@ -5,6 +5,7 @@ with GNAT.OS_Lib;  use GNAT.OS_Lib;
 with Interfaces.C; use Interfaces.C;
 
 with Host.Complaints; use Host.Complaints;
+with Host.File_States;
 
 package body Host.Outputs is
 
@@ -45,8 +46,17 @@ package body Host.Outputs is
    --  The file that a name denotes, after symbolic links.
    function Place (Name : String) return String;
 
-   --  True if both names denote one file, other than the null device.
+   --  True if both paths denote one file, other than the null device: after
+   --  symbolic links, or as hard links of a regular file.
    function Same_File (Left, Right : String) return Boolean;
+   function Are_Hard_Links (Left, Right : String) return Boolean;
+
+   --  The path of an output's file, also of standard output.
+   function Path (Output : String) return String is
+     (if Output = Standard_Output then "/proc/self/fd/1" else Output);
+
+   --  True if both outputs go to one file.
+   function Are_Joined (Left, Right : String) return Boolean;
 
    procedure Check_Distinct (Chosen : Choices);
 
@@ -65,24 +75,42 @@ package body Host.Outputs is
       or else Begins (Name, "/proc/self/fd/"));
 
    function Place (Name : String) return String is
-     (if Name = Standard_Output then Standard_Output
-      else Normalize_Pathname (Name, Resolve_Links => True));
+     (Normalize_Pathname (Name, Resolve_Links => True));
+
+   function Are_Hard_Links (Left, Right : String) return Boolean is
+      use File_States;
+      One, Other         : State;
+      Has_One, Has_Other : Boolean;
+   begin
+      Read (Left, Has_One, One);
+      Read (Right, Has_Other, Other);
+      return
+        Has_One and then Has_Other and then Is_Regular (One)
+        and then Is_One_File (One, Other);
+   end Are_Hard_Links;
 
    function Same_File (Left, Right : String) return Boolean is
      (Left /= ""
       and then Right /= ""
-      and then Place (Left) = Place (Right)
-      and then Place (Left) /= Null_Device);
+      and then Place (Left) /= Null_Device
+      and then (Place (Left) = Place (Right)
+                or else Are_Hard_Links (Left, Right)));
+
+   function Are_Joined (Left, Right : String) return Boolean is
+     ((Left = Standard_Output and then Right = Standard_Output)
+      or else Same_File (Path (Left), Path (Right)));
 
    procedure Check_Distinct (Chosen : Choices) is
    begin
       for Output in Output_Option loop
          for Other in Option range Option'First .. Output loop
-            if Same_File (Value (Chosen, Output), Value (Chosen, Other))
-              and then
-                (if Is_Input (Other)
-                 then Value (Chosen, Output) /= Standard_Output
-                 else Other in Output_Option and then Other /= Output)
+            if (Is_Input (Other)
+                and then Same_File
+                  (Path (Value (Chosen, Output)), Value (Chosen, Other)))
+              or else
+                (Other in Output_Option and then Other /= Output
+                 and then Are_Joined
+                   (Value (Chosen, Output), Value (Chosen, Other)))
             then
                Refuse
                  (Name (Output) & " and " & Name (Other)

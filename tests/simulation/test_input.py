@@ -5,9 +5,10 @@ one line on standard error and exit status 2, and no output file."""
 import json
 import os
 import re
+import subprocess
 
 import pytest
-from conftest import FRAMES_PER_S, SENSORS
+from conftest import FRAMES_PER_S, PROGRAM, SENSORS
 
 OUTPUTS = ("record.csv", "summary.json", "wire.csv", "events.jsonl")
 ALL_OUTPUTS = ("--record", "record.csv", "--summary", "summary.json",
@@ -489,6 +490,42 @@ def test_output_that_is_an_input(refused, write, option, text):
     write("in", text)
     said = refused("fly", option, "in", "--summary", "./in")
     assert said == f"urv_sim: --summary and {option} name the same file"
+
+
+@pytest.mark.parametrize("option, text", [
+    ("--sticks", "time_ms,roll\n0,1\n"),
+    ("--conditions", "servos 50 100 0\n"),
+])
+def test_sim1_an_output_that_is_a_hard_link_of_an_input(
+        refused, write, tmp_path, option, text):
+    write("in", text)
+    (tmp_path / "other").hardlink_to(tmp_path / "in")
+    said = refused("fly", option, "in", "--summary", "other")
+    assert said == f"urv_sim: --summary and {option} name the same file"
+
+
+def test_sim1_outputs_that_are_hard_links_of_one_file(
+        refused, write, tmp_path):
+    write("out", "precious\n")
+    (tmp_path / "other").hardlink_to(tmp_path / "out")
+    said = refused("fly", "--record", "out", "--summary", "other")
+    assert said == "urv_sim: --summary and --record name the same file"
+
+
+@pytest.mark.parametrize("options", [
+    ["--sticks", "file", "--summary", "-"],
+    ["--record", "file", "--summary", "-"],
+])
+def test_sim1_standard_output_is_a_file_with_a_name(
+        tmp_path, write, options):
+    write("file", "time_ms,roll\n0,1\n")
+    with (tmp_path / "file").open("a") as out:
+        result = subprocess.run(
+            [PROGRAM, "fly", "--seconds", "0.1", *options], cwd=tmp_path,
+            stdout=out, stderr=subprocess.PIPE, text=True, check=False)
+    assert (result.returncode, result.stderr) == (
+        2, f"urv_sim: --summary and {options[0]} name the same file\n")
+    assert (tmp_path / "file").read_text() == "time_ms,roll\n0,1\n"
 
 
 def test_sec5_an_output_that_is_the_file_of_keys(refused, write, tmp_path):
