@@ -219,6 +219,9 @@ package body Host.Options is
             if Text in "--help" | "-h" | "help" then
                Chosen.Wants_Help := True;
                return Chosen;
+            elsif Text = "--version" and then Caller /= URV_Sim then
+               Chosen.Wants_Version := True;
+               return Chosen;
             end if;
 
             --  Only an option is split, a stray argument is not.

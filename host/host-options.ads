@@ -2,8 +2,9 @@
 
 --  The options of all programs, and the user's choices: --option VALUE or
 --  --option=VALUE, in any order, each once except --publish. Any error raises
---  Bad_Input (SIM-1, RTP-2). --phase is the phase between the two nodes'
---  clocks (D-12), --schedule that of the tasks (FRM-5).
+--  Bad_Input (SIM-1, RTP-2). --help, and a partition's --version, end the
+--  command line. --phase is the phase between the two nodes' clocks (D-12),
+--  --schedule that of the tasks (FRM-5).
 --
 --  A new option needs a literal here with its program, and in the body the
 --  name of its value and its effect; Host.Option_Help explains it.
@@ -75,7 +76,8 @@ package Host.Options is
      URV.Recorder_Sizes.Most_Rows * Frame_Length;
 
    type Choices is record
-      Wants_Help : Boolean := False;
+      Wants_Help    : Boolean := False;
+      Wants_Version : Boolean := False;
 
       Values     : Value_List;
       Publish    : Place_List;

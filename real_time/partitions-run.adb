@@ -67,6 +67,10 @@ procedure Partitions.Run is
    Program : constant Host.Options.Program :=
      (if This = Ground then URV_GSC else URV_MCS);
 
+   --  The program's name, as it is called.
+   Title : constant String :=
+     Ada.Characters.Handling.To_Lower (Program'Image);
+
    --  Prints the usage.
    procedure Print_Usage;
 
@@ -146,8 +150,8 @@ procedure Partitions.Run is
    begin
       Put_Line
         (Screen,
-         "usage: " & Ada.Characters.Handling.To_Lower (Program'Image)
-         & " --link LINK [options]");
+         "usage: " & Title & " --link LINK [options]");
+      Put_Line (Screen, "       " & Title & " --version");
       New_Line (Screen);
       Put_Line
         (Screen,
@@ -600,9 +604,13 @@ procedure Partitions.Run is
 
 begin
    Chosen := Parsed (Program, First => 1);
-   if Chosen.Wants_Help then
+   if Chosen.Wants_Help or else Chosen.Wants_Version then
       Attach_Screen (Screen);
-      Print_Usage;
+      if Chosen.Wants_Help then
+         Print_Usage;
+      else
+         Put_Line (Screen, Title & ' ' & Host.Version);
+      end if;
       Close (Screen);
       Leave (if Host.Text_Output.Any_Lost then 1 else 0);
    end if;

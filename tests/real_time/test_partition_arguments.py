@@ -12,6 +12,7 @@ import shutil
 import socket
 import subprocess
 import tempfile
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -204,6 +205,15 @@ def test_an_output_that_cannot_be_written_is_refused(option, tmp_path):
     result = run("mcs", "--link", udp(own, other),
                  option, tmp_path / "no" / "file")
     assert_refused(result, "mcs", option, "cannot be created")
+
+
+@pytest.mark.parametrize("node", NODES)
+@pytest.mark.parametrize("before", [(), ("--quiet",)])
+def test_rtp2_the_version_is_that_of_alire_toml(node, before):
+    crate = tomllib.loads((ROOT / "alire.toml").read_text())
+    result = run(node, *before, "--version")
+    assert (result.returncode, result.stderr) == (0, "")
+    assert result.stdout == f"urv_{node} {crate['version']}\n"
 
 
 @pytest.mark.parametrize("node", NODES)
