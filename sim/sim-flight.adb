@@ -1,6 +1,5 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Ada.Calendar;   use Ada.Calendar;
 with Ada.Exceptions; use Ada.Exceptions;
 
 with Host.Bench;
@@ -34,6 +33,7 @@ with Sim.Noise;
 with Sim.Progress;
 with Sim.Signals;
 with Sim.Summary;
+with Sim.Wall_Clock;
 with Sim.Wire_Log;
 with URV.Card_Status;
 with URV.Buffers;         use URV.Buffers;
@@ -130,8 +130,8 @@ package body Sim.Flight is
 
    --  The real time of the flight's beginning and of the last write of its
    --  results.
-   Began_At : Time := Clock;
-   Kept_At  : Time := Began_At;
+   Began_At : Duration := Wall_Clock.Now;
+   Kept_At  : Duration := Began_At;
 
    --  Writes the buffered record and, each second of real time, events and
    --  summary: they remain if the program is killed.
@@ -447,7 +447,7 @@ package body Sim.Flight is
       Length : Microseconds;
       Flown  : out Microseconds)
    is
-      Began     : constant Ada.Calendar.Time := Clock;
+      Began     : constant Duration := Wall_Clock.Now;
       Frame_End : Microseconds := Major_Frame;
 
       --  The minor frame in which the servos get new commands.
@@ -491,7 +491,8 @@ package body Sim.Flight is
             exit when Frame_End = Length or else Signals.Interrupted
               or else Outputs.Is_Unread (Files, Chosen);
             if Chosen.Pace = Realtime then
-               delay until Began + In_Seconds (Frame_End);
+               Wall_Clock.Wait
+                 (Until_Time => Began + In_Seconds (Frame_End));
             end if;
             Frame_End := Frame_End + Major_Frame;
          end if;
@@ -691,7 +692,7 @@ package body Sim.Flight is
    end Write_Results;
 
    procedure Keep_Results (Chosen : Choices; Flown : Microseconds) is
-      Now : constant Ada.Calendar.Time := Clock;
+      Now : constant Duration := Wall_Clock.Now;
    begin
       --  In a second a fast flight's record grows by more than a killed
       --  program may lose.
@@ -700,7 +701,7 @@ package body Sim.Flight is
       then
          Text_Output.Flush (Files (Record_Option));
       end if;
-      if Now - Kept_At not in 0.0 .. 1.0 then
+      if Now - Kept_At > 1.0 then
          Kept_At := Now;
          Write_Results (Chosen, Flown, Now - Began_At, Is_Over => False);
       end if;
@@ -709,7 +710,7 @@ package body Sim.Flight is
    procedure Fly (Chosen : Choices; Flown : out Microseconds) is
       Length  : Microseconds;
 
-      Began   : Time;
+      Began   : Duration;
       Elapsed : Duration;
 
       procedure Seal_Nodes (Given : URV.Sessions.Key_List);
@@ -771,11 +772,11 @@ package body Sim.Flight is
         (Length,
          Wanted => not Chosen.Quiet,
          Beside => Use_Standard_Output (Chosen));
-      Began := Clock;
+      Began := Wall_Clock.Now;
       Began_At := Began;
       Kept_At := Began - 2.0;
       Fly_Through (Chosen, Length, Flown);
-      Elapsed := Clock - Began;
+      Elapsed := Wall_Clock.Now - Began;
       Progress.Stop;
       JSBSim.Stop;
 

@@ -1,10 +1,10 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Ada.Calendar; use Ada.Calendar;
 with GNAT.OS_Lib;
 with Interfaces.C_Streams;
 
 with Host.Text_Numbers;
+with Sim.Wall_Clock;
 
 package body Sim.Progress is
 
@@ -29,8 +29,8 @@ package body Sim.Progress is
    Is_Drawn  : Boolean := False;
    Calls     : Natural := 0;
    Whole     : Microseconds := 1;
-   Began     : Time;
-   Next_Draw : Time;
+   Began     : Duration;
+   Next_Draw : Duration;
 
    procedure Put (Text : String);
 
@@ -62,12 +62,12 @@ package body Sim.Progress is
       Is_Drawn  := False;
       Calls     := 0;
       Whole     := Microseconds'Max (Length, 1);
-      Began     := Clock;
+      Began     := Wall_Clock.Now;
       Next_Draw := Began + Draw_After;
    end Start;
 
    procedure Look (Time : Microseconds) is
-      Now : constant Ada.Calendar.Time := Clock;
+      Now : constant Duration := Wall_Clock.Now;
    begin
       if Now < Next_Draw then
          return;

@@ -149,6 +149,71 @@ def test_the_speed_is_that_of_the_flight(fly):
     assert 1.98 / took - 0.05 <= flight.summary["speed"] <= 1.1
 
 
+# The machine's date is set to another hour, half a second after the start.
+CHANGED_DATE = """\
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <stdlib.h>
+#include <sys/time.h>
+#include <time.h>
+
+static long added(void)
+{
+   static struct timespec first;
+   static int (*read)(clockid_t, struct timespec *);
+   struct timespec now;
+   if (!read)
+      read = dlsym(RTLD_NEXT, "clock_gettime");
+   read(CLOCK_MONOTONIC, &now);
+   if (!first.tv_sec)
+      first = now;
+   return now.tv_sec - first.tv_sec + (now.tv_nsec - first.tv_nsec) / 1e9
+      > 0.5 ? atol(getenv("ADDED_S")) : 0;
+}
+
+int clock_gettime(clockid_t which, struct timespec *now)
+{
+   int (*read)(clockid_t, struct timespec *) =
+      dlsym(RTLD_NEXT, "clock_gettime");
+   int result = read(which, now);
+   if (which == CLOCK_REALTIME)
+      now->tv_sec += added();
+   return result;
+}
+
+int gettimeofday(struct timeval *now, void *zone)
+{
+   int (*read)(struct timeval *, void *) = dlsym(RTLD_NEXT, "gettimeofday");
+   int result = read(now, zone);
+   now->tv_sec += added();
+   return result;
+}
+"""
+
+
+@pytest.mark.parametrize("added_s", [3600, -3600])
+def test_sim1_a_changed_date_changes_no_pace(tmp_path, monkeypatch, added_s):
+    (tmp_path / "date.c").write_text(CHANGED_DATE)
+    subprocess.run(
+        ["gcc", "-shared", "-fPIC", "-o", "date.so", "date.c", "-ldl"],
+        cwd=tmp_path, check=True, timeout=TIME_LIMIT_S)
+    monkeypatch.setenv("LD_PRELOAD", str(tmp_path / "date.so"))
+    monkeypatch.setenv("ADDED_S", str(added_s))
+    began = time.monotonic()
+    with subprocess.Popen(
+            [PROGRAM, "fly", "--seconds", "2", "--pace", "realtime",
+             "--quiet", "--summary", "summary.json"],
+            cwd=tmp_path) as process:
+        try:
+            assert process.wait(60) == 0
+        finally:
+            process.kill()
+    took = time.monotonic() - began
+    assert took >= 1.9
+    summary = json.loads((tmp_path / "summary.json").read_text())
+    assert 1.98 / took - 0.05 <= summary["speed"] <= 1.1
+
+
 def test_numbers_of_the_summary_are_as_people_write_them(fly, write):
     write("sticks.csv", "time_ms,roll\n100.192,1\n300.2,2\n")
     flight = fly("--sticks", "sticks.csv", "--seconds", "1")
