@@ -754,8 +754,10 @@ package body Sim.Flight is
          Circuit_Quality.Start;
       end if;
 
-      Signals.Watch;
+      --  A pipe as an output waits for its reader: until then a signal ends
+      --  the program at once.
       Outputs.Open (Files, Chosen);
+      Signals.Watch;
       if Text_Output.Is_Open (Files (Record_Option)) then
          Flight_Record.Write_Header
            (Files (Record_Option),

@@ -516,6 +516,21 @@ def test_an_ignored_signal_stays_ignored(tmp_path):
         assert process.wait(TIME_LIMIT_S) == 0
 
 
+@pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
+def test_sim1_a_signal_ends_the_wait_for_a_pipe_s_reader(tmp_path, which):
+    os.mkfifo(tmp_path / "pipe")
+    with subprocess.Popen(
+            [PROGRAM, "fly", "--seconds", "1", "--record", "pipe"],
+            cwd=tmp_path, preexec_fn=heed_signals) as process:
+        time.sleep(0.5)
+        assert process.poll() is None
+        process.send_signal(which)
+        try:
+            assert process.wait(60) == -which
+        finally:
+            process.kill()
+
+
 @needs_jsbsim
 @pytest.mark.parametrize("after_s", [0.02, 0.05, 0.1, 0.2])
 def test_ctrl_c_before_the_flight_ends_it_without_a_word(tmp_path, after_s):
