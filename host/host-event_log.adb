@@ -1,7 +1,5 @@
 --  SPDX-License-Identifier: Apache-2.0
 
-with Interfaces; use Interfaces;
-
 with Host.Names;
 with Host.Text_Numbers; use Host.Text_Numbers;
 with Host.Text_Output;  use Host.Text_Output;
@@ -9,10 +7,9 @@ with Host.Text_Output;  use Host.Text_Output;
 package body Host.Event_Log is
 
    procedure Write
-     (To          : in out Text_Output.Writer;
-      Node        : String;
-      Log         : Error_Log;
-      Switched_On : Microseconds)
+     (To   : in out Text_Output.Writer;
+      Node : String;
+      Log  : Error_Log)
    is
       procedure Put_Field (Name : String; Value : Number);
 
@@ -26,8 +23,7 @@ package body Host.Event_Log is
         (Number (Now / Ticks_Per_Major_Frame));
 
       function Milliseconds (Now : Clock_Tick) return Number is
-        ((Number (Switched_On) + Number (Now) * Microseconds_Per_Tick)
-         / Microseconds_Per_Millisecond);
+        (Number (Time_Of (Now) / Microseconds_Per_Millisecond));
 
    begin
       for Kind in Error_Kind loop

@@ -9,13 +9,16 @@ with URV.Errors; use URV.Errors;
 
 package Host.Event_Log is
 
+   --  The time of a tick of the node's clock.
+   generic
+      with function Time_Of (Now : Clock_Tick) return Microseconds;
+
    --  Writes a node's log in the order of the kinds. Each node counts its own
-   --  frames; Switched_On is the time when its first frame began.
+   --  frames.
    procedure Write
-     (To          : in out Text_Output.Writer;
-      Node        : String;
-      Log         : Error_Log;
-      Switched_On : Microseconds)
+     (To   : in out Text_Output.Writer;
+      Node : String;
+      Log  : Error_Log)
      with Pre => Text_Output.Is_Open (To);
 
 end Host.Event_Log;

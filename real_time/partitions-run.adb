@@ -34,6 +34,7 @@ with URV.Errors;
 with URV.Handshakes;
 with URV.Sessions;
 with URVOS;
+with URVOS.Frames;
 
 procedure Partitions.Run is
 
@@ -532,6 +533,11 @@ procedure Partitions.Run is
       Reports.End_Report (Result, To);
    end Write_Summary;
 
+   function Time_Of (Now : URVOS.Frames.Clock_Tick) return Microseconds is
+     (Microseconds (Now) * Tick_Time);
+
+   procedure Write_Log is new Host.Event_Log.Write (Time_Of);
+
    procedure Write_Counts (Is_Over : Boolean) is
       use type Peer_State;
 
@@ -546,7 +552,7 @@ procedure Partitions.Run is
       end if;
       if Is_Written (Events_Option) then
          Clear (Page);
-         Host.Event_Log.Write (Page, Host.Names.Name (This), Total.Log, 0);
+         Write_Log (Page, Host.Names.Name (This), Total.Log);
          Surroundings.Put_Events (Page);
          Put_Version (Events_Option, Text (Page));
       end if;

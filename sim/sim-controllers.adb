@@ -1,5 +1,7 @@
 --  SPDX-License-Identifier: Apache-2.0
 
+with Ada.Containers.Vectors;
+
 with Devices.AD_Board;
 with Sim.Agenda;    use Sim.Agenda;
 with Sim.Console_Faults;
@@ -18,12 +20,22 @@ package body Sim.Controllers is
    Started   : constant array (Node) of Event :=
      (Ground => GSC_Started, Aircraft => MCS_Started);
 
+   --  From that tick of the node's clock on, its oscillator is so many ticks
+   --  ahead: after frames of 9 or 11 ticks.
+   type Correction is record
+      From  : Clock_Tick;
+      Ahead : Microseconds'Base;
+   end record;
+   package Correction_Vectors is new Ada.Containers.Vectors
+     (Positive, Correction);
+
    type Controller is record
       Is_On       : Boolean         := False;
 
       --  The number of the clock's next tick, and the minor frame it shows.
       Ticks       : Microseconds    := 0;
       Clock       : Frame_Clock;
+      Corrections : Correction_Vectors.Vector;
 
       --  It is down until the time of its start is over.
       Is_Starting : Boolean         := False;
@@ -60,6 +72,9 @@ package body Sim.Controllers is
    --  The words on each converter's channels.
    Inputs : array (Node) of Channel_Words :=
      (others => (others => Neutral_Value));
+
+   --  Keeps a new difference between the oscillator and the node's clock.
+   procedure Note_Correction (Item : in out Controller);
 
    --  Phases one to three of a start, at its end.
    procedure Start (Which : Node; Time : Microseconds);
@@ -135,6 +150,17 @@ package body Sim.Controllers is
         (Which,
          Item.Ticks - 1 + Microseconds'Max (Left, 1) + Microseconds (Minor));
    end Next_Time_Of;
+
+   function Time_Of (Which : Node; Now : Clock_Tick) return Microseconds is
+      Ahead : Microseconds'Base := 0;
+   begin
+      for Each of reverse Controllers (Which).Corrections loop
+         Ahead := Each.Ahead;
+         exit when Each.From <= Now;
+         Ahead := 0;
+      end loop;
+      return Time_Of_Tick (Which, Microseconds (Now) + Ahead);
+   end Time_Of;
 
    function Is_On (Which : Node) return Boolean is
      (Controllers (Which).Is_On);
@@ -256,6 +282,22 @@ package body Sim.Controllers is
       end case;
    end End_Conversion;
 
+   procedure Note_Correction (Item : in out Controller) is
+      Ahead : constant Microseconds'Base :=
+        Item.Ticks - 1 - Microseconds (Item.Clock.Now);
+   begin
+      if Ahead /=
+        (if Item.Corrections.Is_Empty then 0
+         else Item.Corrections.Last_Element.Ahead)
+      then
+         --  No task runs in the second tick of the last minor frame.
+         Item.Corrections.Append
+           (Correction'
+              (From  => Item.Clock.Now + (if Item.Clock.Held then 1 else 0),
+               Ahead => Ahead));
+      end if;
+   end Note_Correction;
+
    procedure Tick (Which : Node; Time : Microseconds) is
       Item    : Controller renames Controllers (Which);
       Request : Frame_Request;
@@ -270,6 +312,7 @@ package body Sim.Controllers is
       else
          Look_At_Frame (Which, 1, Request);
          Item.Clock := Ticked (Item.Clock, Request);
+         Note_Correction (Item);
          if Which = Aircraft then
             Tick_Servos;
          end if;

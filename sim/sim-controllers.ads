@@ -35,6 +35,9 @@ package Sim.Controllers is
      (Which : Node;
       Minor : Minor_Frame) return Microseconds;
 
+   --  The time at which the node's clock came to that tick.
+   function Time_Of (Which : Node; Now : Clock_Tick) return Microseconds;
+
    --  True if the node has been switched on.
    function Is_On (Which : Node) return Boolean;
 

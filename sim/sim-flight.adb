@@ -550,6 +550,15 @@ package body Sim.Flight is
       end if;
    end Report_Failed_Surfaces;
 
+   function Time_On_Ground (Now : Clock_Tick) return Microseconds is
+     (Controllers.Time_Of (Ground, Now));
+
+   function Time_Aboard (Now : Clock_Tick) return Microseconds is
+     (Controllers.Time_Of (Aircraft, Now));
+
+   procedure Write_Ground_Log is new Event_Log.Write (Time_On_Ground);
+   procedure Write_Aircraft_Log is new Event_Log.Write (Time_Aboard);
+
    procedure Write_Results
      (Chosen  : Choices;
       Flown   : Microseconds;
@@ -565,7 +574,8 @@ package body Sim.Flight is
          Latency  => Latency.Result (Delays),
          Has_Lock => Chosen.Lock,
          Lock     => Nodes.Lock,
-         Lag      => Lag_Of (Chosen),
+         In_Step_Since =>
+           Controllers.Time_Of (Aircraft, Nodes.Lock.Since),
          Is_Unfinished => not Is_Over);
       Further : Summary.Result;
       Screen  : Text_Output.Writer;
@@ -623,12 +633,12 @@ package body Sim.Flight is
                 (Is_Over or else Text_Output.Can_Restart
                                    (Files (Events_Option)))
             then
-               Event_Log.Write
-                 (Files (Events_Option), Name, Log,
-                  Switched_On =>
-                    (case Node is
-                        when Ground   => 0,
-                        when Aircraft => Lag_Of (Chosen)));
+               case Node is
+                  when Ground   =>
+                     Write_Ground_Log (Files (Events_Option), Name, Log);
+                  when Aircraft =>
+                     Write_Aircraft_Log (Files (Events_Option), Name, Log);
+               end case;
             end if;
          end;
       end loop;

@@ -259,18 +259,13 @@ package body Sim.Summary is
       End_Object (To, Made);
    end Put_Latency;
 
-   --  The time since which the aircraft is in step, by its own clock.
-   function In_Step_Since (Flight : Figures) return Long_Float is
-     (In_Seconds
-        (Flight.Lag + Microseconds (Flight.Lock.Since) * Tick_Time));
-
    procedure Put_Lock (To : in out Writer; Flight : Figures) is
       Made : Object := (Depth => 2, others => <>);
    begin
       Put (To, '{');
       Begin_Field (To, Made, "in_step_since_s");
       if Flight.Lock.Is_In_Step then
-         Put_Value (To, In_Step_Since (Flight));
+         Put_Value (To, In_Seconds (Flight.In_Step_Since));
       else
          Put (To, Unknown_Value);
       end if;
@@ -474,7 +469,7 @@ package body Sim.Summary is
          Put (To, "in step   ");
          if Flight.Lock.Is_In_Step then
             Put (To, "since ");
-            Put (In_Step_Since (Flight), 2);
+            Put (In_Seconds (Flight.In_Step_Since), 2);
             Put (To, " s, ");
          else
             Put (To, "no, ");

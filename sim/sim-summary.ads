@@ -28,7 +28,7 @@ package Sim.Summary is
       --  For a flight with frames in step (FRM-6).
       Has_Lock : Boolean := False;
       Lock     : URVOS.Frame_Locks.Lock_State;
-      Lag      : Microseconds := 0;
+      In_Step_Since : Microseconds := 0;
 
       --  The flight continues: these are its values so far.
       Is_Unfinished : Boolean := False;

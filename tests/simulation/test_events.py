@@ -84,6 +84,26 @@ def test_ext1_a_good_flight_logs_the_start_only(fly):
         assert event["last_frame"] <= 2
 
 
+@pytest.mark.parametrize("options", [
+    ("--drift", "200"),
+    ("--drift", "-200", "--phase", "9"),
+    ("--drift", "200", "--lock"),
+    ("--drift", "-200", "--lock", "--phase", "9"),
+])
+def test_ext1_times_are_the_ground_s_with_a_drift(fly, write, options):
+    """The start takes 10 ms and begins with a tick. In 400 s the aircraft's
+    clock has lost or won 80 ms; in step it keeps to the ground's, after ticks
+    that its frames had more or less than ten."""
+    write("faults.txt", "400000 mcs reset warm\n")
+    flight = fly("--seconds", "401", *options, "--faults", "faults.txt")
+    event = flight.events["mcs", "warm_reset"]
+    assert 399_998 <= event["first_ms"] <= 400_012
+    if "--lock" in options:
+        corrected = (flight.summary["lock"]["frames_of_9_ticks"]
+                     + flight.summary["lock"]["frames_of_11_ticks"])
+        assert corrected > 30
+
+
 def test_ext1_a_cut_link_is_logged_on_both_sides(fly, write):
     # Nothing of the ground's frames 100 to 124 gets through.
     write("faults.txt", "2000 cut 500\n")
