@@ -40,11 +40,13 @@ package body Sim.Flight_Quality is
    procedure Add (To : in out Tally; Error : Long_Float);
 
    function Deviation_Of (Sums : Tally) return Deviation is
-     (RMS     =>
-        (if Sums.Observed = 0 then 0.0
-         else Ada.Numerics.Long_Elementary_Functions.Sqrt
-                (Sums.Squares / Long_Float (Sums.Observed))),
-      Largest => Sums.Largest);
+     (if Sums.Observed = 0 then (others => <>)
+      else
+        (Is_Known => True,
+         RMS      =>
+           Ada.Numerics.Long_Elementary_Functions.Sqrt
+             (Sums.Squares / Long_Float (Sums.Observed)),
+         Largest  => Sums.Largest));
 
    --  The same direction, from -180 up to 180 degrees.
    function Nearest (Heading : Long_Float) return Long_Float is
@@ -143,8 +145,13 @@ package body Sim.Flight_Quality is
 
       procedure Add (Item, Unit : String; Value : Deviation) is
       begin
-         Add (Item & "_rms_" & Unit, Value.RMS);
-         Add (Item & "_max_" & Unit, Value.Largest);
+         if Value.Is_Known then
+            Add (Item & "_rms_" & Unit, Value.RMS);
+            Add (Item & "_max_" & Unit, Value.Largest);
+         else
+            Summary.Add_Unknown_Quality (To, Item & "_rms_" & Unit);
+            Summary.Add_Unknown_Quality (To, Item & "_max_" & Unit);
+         end if;
       end Add;
 
       Flown : constant Quality := Result;

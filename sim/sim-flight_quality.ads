@@ -9,10 +9,11 @@ with Sim.Summary;
 
 package Sim.Flight_Quality is
 
-   --  The deviation of a value from its target.
+   --  The deviation of a value from its target; unknown when there was none.
    type Deviation is record
-      RMS     : Long_Float := 0.0;
-      Largest : Long_Float := 0.0;
+      Is_Known : Boolean    := False;
+      RMS      : Long_Float := 0.0;
+      Largest  : Long_Float := 0.0;
    end record;
 
    type Quality is record

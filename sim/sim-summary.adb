@@ -198,10 +198,15 @@ package body Sim.Summary is
              Number => Rounded (Value, 3),
              Fact   => False));
       else
-         To.Qualities.Append
-           (Quality'(Name => Texts.To_Unbounded_String (Name), others => <>));
+         Add_Unknown_Quality (To, Name);
       end if;
    end Add_Quality;
+
+   procedure Add_Unknown_Quality (To : in out Result; Name : String) is
+   begin
+      To.Qualities.Append
+        (Quality'(Name => Texts.To_Unbounded_String (Name), others => <>));
+   end Add_Unknown_Quality;
 
    procedure Add_Quality
      (To    : in out Result;

@@ -80,6 +80,9 @@ package Sim.Summary is
       Name  : String;
       Value : Boolean);
 
+   --  A value that could not be measured: null.
+   procedure Add_Unknown_Quality (To : in out Result; Name : String);
+
    --  The name of that part in the JSON object, by default "flight_quality".
    procedure Name_Quality (To : in out Result; Part : String);
 

@@ -156,6 +156,14 @@ def test_the_worst_moment_of_a_cut_link_is_that_of_the_page(tmp_path):
     assert (quality["ended_level"], quality["crashed"]) == (True, False)
 
 
+def test_sim3_errors_in_turns_are_unknown_without_a_turn(tmp_path):
+    quality = fly_in(tmp_path, "--plant", "jsbsim", "--pilot", "level",
+                     "--seconds", "2").summary["flight_quality"]
+    assert quality["turn_altitude_rms_ft"] is None
+    assert quality["turn_altitude_max_ft"] is None
+    assert quality["altitude_rms_ft"] > 0
+
+
 @pytest.mark.parametrize("seconds, fault, is_level", [
     # In a hold; in a turn; in a climb; with the altitude not yet back.
     (10, "", True), (30, "", False), (90, "", False),
