@@ -545,11 +545,43 @@ def assembled(folder, name, text):
     return folder / f"{name}.bin"
 
 
-def run_program(folder, text):
+def run_program(folder, text, head=HEAD):
     """The end of a controller with this program."""
-    images = {"mcs": assembled(folder, "program", HEAD + text),
+    images = {"mcs": assembled(folder, "program", head + text),
               "mcs_board": assembled(folder, "board", END_WITH_CONTROLLER)}
     return MACHINE.fly({"mcs": emulated.Tape(1)}, folder, images)["mcs"]
+
+
+# Sends a byte to the console. The program ends in the handler of any exception
+# but a bus error.
+PUT = """
+	move.b	{byte}, 0xf00017
+"""
+END = """
+handler:
+	move.w	#1, 0xf3000e
+	bra	.
+"""
+SENDER_ON = """
+	move.b	#4, 0xf00015
+"""
+
+
+def test_brd4_the_console_is_silent_until_its_sender_is_on(tmp_path):
+    run = run_program(tmp_path, f"""
+begin:	{PUT.format(byte="#'A'")}
+	btst	#2, 0xf00013
+	bne	handler
+	{SENDER_ON}
+	{PUT.format(byte="#'B'")}
+	btst	#2, 0xf00013
+	beq	handler
+	{PUT.format(byte="#'C'")}
+	{END}""")
+    assert run.text.startswith("BCcycles ")
+
+
+
 
 
 def test_brd4_an_interrupt_takes_the_cycles_of_the_data_sheet(tmp_path):

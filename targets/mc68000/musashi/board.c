@@ -507,7 +507,7 @@ static void reset_duart(struct duart *duart)
 static uint8_t status(const struct duart *duart, int channel)
 {
    if (channel == 1)
-      return SENDER_READY | SENDER_EMPTY;
+      return duart->sends[1] ? SENDER_READY | SENDER_EMPTY : 0;
    return (duart->held > 0 ? RECEIVED : 0)
       | (duart->held >= FIFO ? FIFO_FULL : 0)
       | (duart->sends[0] && now() + cycles(CHARACTER_US) >= duart->sender_free
@@ -635,7 +635,7 @@ static void write_duart(struct duart *duart, unsigned place, uint8_t value)
       break;
    case 7: duart->preload = (uint16_t)((duart->preload & 0xFF00) | value); break;
    case 11:
-      if (duart == &node->line)
+      if (duart == &node->line && duart->sends[1])
          putc(value, node->console);
       break;
    case 12: duart->vector = value; break;
