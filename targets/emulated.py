@@ -53,6 +53,9 @@ RESET_SWITCH = 14
 # An illegal instruction at power up, when the controller has read its settings.
 ILLEGAL_IN_START = 15
 
+# A read of a place where nothing answers.
+NO_DEVICE = 16
+
 # Is added to an event that befalls the telemetry board's processor.
 ON_TELEMETRY_BOARD = 32
 

@@ -14,7 +14,8 @@ import image_sum
 MACHINE = emulated.MC68000_BOARD
 pytestmark = bare.needs(MACHINE, MACHINE.archive)
 
-ILLEGAL, ADDRESS_ERROR, WATCHDOG, UNUSED_VECTOR = 4, 3, 31, 200
+BUS_ERROR, ADDRESS_ERROR, ILLEGAL, WATCHDOG = 2, 3, 4, 31
+UNUSED_VECTOR = 200
 
 # Interrupts are masked for fewer cycles.
 LATEST = 4_000
@@ -61,8 +62,8 @@ def test_brd4_tasks_are_late_no_interrupt_is_and_all_words_are_the_same(
     [(emulated.ILLEGAL_INSTRUCTION, ILLEGAL),
      (emulated.UNEXPECTED_INTERRUPT, UNUSED_VECTOR)],
     [(emulated.ODD_ADDRESS, ADDRESS_ERROR),
-     (emulated.ODD_ADDRESS, ADDRESS_ERROR)]],
-    ids=["illegal instruction, unused interrupt", "odd address"])
+     (emulated.NO_DEVICE, BUS_ERROR)]],
+    ids=["illegal instruction, unused interrupt", "odd address, no device"])
 def test_brd2_d81_a_fault_of_the_processor_restarts_it(tmp_path, events):
     bare.restarts(MACHINE, tmp_path, events)
 
@@ -581,6 +582,50 @@ begin:	{PUT.format(byte="#'A'")}
     assert run.text.startswith("BCcycles ")
 
 
+@pytest.mark.parametrize("instruction, is_read, where", [
+    ("move.b\t0x400000, d0", 1, 0x400000),
+    ("move.l\td0, 0x12", 0, 0x12),
+    ("move.w\t0x114040, d0", 1, 0x114040),
+    ("move.w\td0, 0xf40002", 0, 0xF40002)],
+    ids=["no device", "write to the ROM", "after the RAM", "after the watchdog"])
+def test_brd2_brd4_where_nothing_answers_is_a_bus_error(
+        tmp_path, instruction, is_read, where):
+    """Vector 2. Seven words are stacked: the kind of access, the address, the
+    instruction, the status and the program counter."""
+    text = f"""
+bus_error:
+	lea	0x110000 - 14, a0
+	cmp.l	a0, sp
+	bne	handler
+	move.w	(sp), d0
+	and.w	#0x10, d0
+	cmp.w	#{0x10 * is_read}, d0
+	bne	handler
+	cmp.l	#{where}, 2(sp)
+	bne	handler
+	move.w	fault, d0
+	cmp.w	6(sp), d0
+	bne	handler
+	cmp.w	#0x2700, 8(sp)
+	bne	handler
+	{PUT.format(byte="#'Y'")}
+	{END}
+begin:	{SENDER_ON}
+fault:	{instruction}
+	bra	handler"""
+    head = HEAD.replace("\t.rept\t254\n", "\t.long\tbus_error\n\t.rept\t253\n")
+    assert head != HEAD
+    assert run_program(tmp_path, text, head).text.startswith("Ycycles ")
+
+
+def test_brd2_a_fault_while_an_exception_is_stacked_halts_the_processor(
+        tmp_path):
+    with pytest.raises(emulated.Failed, match="mcs: halted: a fault while an"
+                       " exception is stacked, at 3ffffc, instruction at "):
+        run_program(tmp_path, f"""
+begin:	lea	0x400000, sp
+	tst.b	0x400000
+	{END}""")
 
 
 

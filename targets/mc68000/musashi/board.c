@@ -38,6 +38,10 @@
              a read gives 1 from each tenth tick served until time has stopped and
              goes on, plus 2 when the flight is over; F3000E ends the run
 
+   Elsewhere nothing answers, nor does the ROM to a write: a bus error, vector 2.
+   A processor that meets one while it stacks an exception would halt; that ends
+   the emulator.
+
    A node's time begins when its controller first starts the second timer; a lag
    of n ticks in its tape lets the timer start later. A character needs 96 us for
    the line, so each node runs 48 us ahead of the other at most: the nodes need
@@ -52,14 +56,14 @@
    held the lock of the dual-ported memory. */
 
 #include <inttypes.h>
+#include <setjmp.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "m68k.h"
-#include "configuration.h"
+#include "m68kcpu.h"
 
 enum {
    ROM_SIZE = 160 * 1024,
@@ -92,6 +96,9 @@ enum {
    PLACES = 40,
    CALLS = 16,
 
+   BUS_ERROR_VECTOR = 2 * 4,          /* their addresses */
+   ADDRESS_ERROR_VECTOR = 3 * 4,
+
    STOP = 0x4E72,
    RETURN_FROM_EXCEPTION = 0x4E73,
    STOP_CYCLES = 4,
@@ -105,7 +112,7 @@ enum event {
    WORDS, ILLEGAL_INSTRUCTION, UNEXPECTED_INTERRUPT, ODD_ADDRESS,
    PARITY_ERROR, FRAMING_ERROR, LOST_CHARACTER, ENDLESS_LOOP, LOST_TIMER,
    ILLEGAL_WITH_LOCK, LOOP_WITH_LOCK, STUCK_BITS, ILLEGAL_IN_RAM_TEST,
-   INTERRUPT_IN_RAM_TEST, RESET_SWITCH, ILLEGAL_IN_START,
+   INTERRUPT_IN_RAM_TEST, RESET_SWITCH, ILLEGAL_IN_START, NO_DEVICE,
 
    ON_TELEMETRY_BOARD = 32            /* is added to an event of that board */
 };
@@ -232,16 +239,33 @@ static struct node *nodes[PROCESSORS], *node, *loaded;
 static int node_count;
 static unsigned mhz;
 static bool executing;
+static bool may_fault;                /* Musashi has set its trap */
+static bool has_bus_error;            /* until its vector is read */
 
 static const uint16_t illegal_words[] = { 0x4AFC };
 static const uint16_t odd_words[] = { 0x3038, 0x0001 };   /* move.w 1.w,d0 */
 static const uint16_t loop_words[] = { 0x60FE };          /* bra to itself */
+static const uint16_t no_device_words[] =                 /* move.w 400000,d0 */
+   { 0x3039, 0x0040, 0x0000 };
 
 static void fail(const char *text, unsigned where)
 {
    fprintf(stderr, "board: %s: %s %06x, instruction at %06x\n", node->name,
            text, where, m68k_get_reg(NULL, M68K_REG_PPC));
    exit(2);
+}
+
+/* Nothing answers. Musashi's own bus error stacks the frame of an MC68010. Its
+   address error has the frame and the time that both have on an MC68000. */
+static void bus_error(unsigned where, unsigned mode)
+{
+   if (!may_fault || CPU_RUN_MODE == RUN_MODE_BERR_AERR_RESET_WSF)
+      fail("halted: a fault while an exception is stacked, at", where);
+   m68ki_aerr_address = where;
+   m68ki_aerr_write_mode = mode;
+   m68ki_aerr_fc = FLAG_S | FUNCTION_CODE_USER_DATA;
+   has_bus_error = true;
+   longjmp(m68ki_aerr_trap, 1);
 }
 
 static uint64_t cycles(unsigned microseconds)
@@ -470,6 +494,7 @@ void board_instruction(unsigned int pc)
 {
    unsigned code;
 
+   may_fault = true;
    if (pc >= ROM_SIZE - 1)
       return;
    if (node->place_count > 0)
@@ -863,7 +888,7 @@ unsigned int m68k_read_memory_8(unsigned int where)
       return node->dual[where - DUAL_START];
    if (where >> 6 == 0xF00000 >> 6)
       return where & 1 ? read_duart(duart_at(where), where >> 1 & 15) : 0xFF;
-   fail("reads nothing at", where);
+   bus_error(where, MODE_READ);
    return 0;
 }
 
@@ -877,7 +902,8 @@ unsigned int m68k_read_memory_16(unsigned int where)
 
       if (node->planted == loop_words)
          node->planted_words = 0;
-      else if (node->planted == illegal_words || node->planted_words == 2)
+      else if (node->planted_words == (node->planted == illegal_words ? 1
+                                       : node->planted == odd_words ? 2 : 3))
          node->planted = NULL;
       return word;
    }
@@ -895,6 +921,10 @@ unsigned int m68k_read_memory_32(unsigned int where)
    where &= 0xFFFFFF;
    if (where >> 4 == 0xF30000 >> 4)
       return setting(where & 15);
+   if (has_bus_error && where == ADDRESS_ERROR_VECTOR) {
+      has_bus_error = false;
+      where = BUS_ERROR_VECTOR;
+   }
    return m68k_read_memory_16(where) << 16 | m68k_read_memory_16(where + 2);
 }
 
@@ -911,7 +941,7 @@ void m68k_write_memory_8(unsigned int where, unsigned int value)
       if (where & 1)
          write_duart(duart_at(where), where >> 1 & 15, (uint8_t)value);
    } else
-      fail("writes nothing at", where);
+      bus_error(where, MODE_WRITE);
 }
 
 void m68k_write_memory_16(unsigned int where, unsigned int value)
@@ -995,6 +1025,7 @@ static void happen(uint32_t event, const uint8_t *words)
    case ILLEGAL_INSTRUCTION: plant(illegal_words); break;
    case UNEXPECTED_INTERRUPT: node->unexpected_interrupt = UNUSED_VECTOR; break;
    case ODD_ADDRESS: plant(odd_words); break;
+   case NO_DEVICE: plant(no_device_words); break;
    case PARITY_ERROR: node->next_errors = WRONG_PARITY; break;
    case FRAMING_ERROR: node->next_errors = WRONG_FRAME; break;
    case LOST_CHARACTER: node->next_errors = OVERRUN; break;
@@ -1166,6 +1197,7 @@ static void run(uint64_t until)
       if (works)
          measure_ahead();
       executing = true;
+      may_fault = has_bus_error = false;
       node->cut = 0;
       used = m68k_execute((int)(next - node->time));
       executing = false;

@@ -42,6 +42,6 @@ for program in board explore; do
    source=$here/board.c
    [ $program = board ] || source=$explore
    # shellcheck disable=SC2086
-   gcc -Wall -Wextra -Werror $options -I"$here" -I. "$source" \
+   gcc -Wall -Wextra -Werror $options -I"$here" -isystem . "$source" \
       m68kcpu.o m68kops.o softfloat.o -lm -o ../$program
 done
