@@ -628,6 +628,25 @@ begin:	lea	0x400000, sp
 	{END}""")
 
 
+@pytest.mark.parametrize("name, size, reason", [
+    ("mcs.bin", MACHINE.rom_size + 1, "more than the 163840 bytes of the ROM"),
+    ("mcs.tape", 23, "a tape without its end"),
+    ("mcs.tape", 24 + 71, "a tape without its end")],
+    ids=["ROM", "head of a tape", "entry of a tape"])
+def test_brd4_a_file_of_another_size_ends_the_emulator_with_a_reason(
+        tmp_path, name, size, reason):
+    program = MACHINE.images / "telemetry_board.bin"
+    for each, data in (("mcs.bin", program.read_bytes()),
+                       ("mcs.tape", emulated.Tape(1).data())):
+        (tmp_path / each).write_bytes(
+            data if each != name else data.ljust(size, b"\0")[:size])
+    done = subprocess.run(
+        [MACHINE.images / "board", "250", tmp_path, "mcs",
+         tmp_path / "mcs.bin", program, tmp_path / "mcs.tape"],
+        capture_output=True, text=True, check=False, timeout=60)
+    assert done.returncode == 2
+    assert done.stderr == f"board: {tmp_path / name}: {reason}\n"
+
 
 def test_brd4_an_interrupt_takes_the_cycles_of_the_data_sheet(tmp_path):
     """44 for the interrupt of a device, with its vector, and 20 for RTE."""

@@ -86,6 +86,7 @@ enum {
    AHEAD_CYCLES = 64,                 /* of the node's other processor */
 
    CHANNELS = 32,
+   TAPE_HEAD = 24,
    ENTRY_SIZE = 8 + 2 * CHANNELS,     /* of a tape */
    SERVOS = 16,
    NODES = 2,
@@ -1263,8 +1264,13 @@ static struct node *power_up(const char *output, const char *name,
    size_t length;
    uint8_t *rom = contents(rom_path, &length);
 
+   if (length > ROM_SIZE) {
+      fprintf(stderr, "board: %s: more than the %d bytes of the ROM\n",
+              rom_path, ROM_SIZE);
+      exit(2);
+   }
    node = calloc(1, sizeof *node);
-   if (!node || length > ROM_SIZE)
+   if (!node)
       exit(2);
    memcpy(node->rom, rom, length);
    snprintf(node->name, sizeof node->name, "%s", name);
@@ -1292,12 +1298,18 @@ static void power_up_node(const char *output, char **arguments)
    read_places(output);
    read_stuck_bits(output);
    node->tape = contents(arguments[3], &length);
+   if (length < TAPE_HEAD
+       || length < TAPE_HEAD
+          + (size_t)ENTRY_SIZE * long_number(node->tape + 20)) {
+      fprintf(stderr, "board: %s: a tape without its end\n", arguments[3]);
+      exit(2);
+   }
    node->lag = long_number(node->tape);
    node->delay_us = long_number(node->tape + 8);
    node->flags = long_number(node->tape + 12);
    node->length = long_number(node->tape + 16);
    node->entries = long_number(node->tape + 20);
-   node->entry = node->tape + 24;
+   node->entry = node->tape + TAPE_HEAD;
    for (uint32_t each = 0; each < node->entries; each++)
       if (long_number(node->entry + each * ENTRY_SIZE + 4) == ILLEGAL_IN_START)
          node->fails_in_start = true;
