@@ -202,7 +202,10 @@ class Machine:
         with contextlib.ExitStack() as stack:
             for each in list(
                     self.start(list(tapes), folder, images or {}, stack)):
-                failed = each.wait(limit_s) != 0 or failed
+                try:
+                    failed = each.wait(limit_s) != 0 or failed
+                except subprocess.TimeoutExpired:
+                    raise Failed(f"no end after {limit_s:g} s") from None
         if failed and not may_fail:
             raise Failed("".join(
                 path.read_text(errors="replace")

@@ -83,6 +83,18 @@ def test_brd1_a_failed_emulator_ends_the_flight_with_its_reason(
         emulated.MC68000_BOARD.fly({"mcs": emulated.Tape(1)}, tmp_path)
 
 
+def test_brd1_an_emulator_that_does_not_end_fails_the_flight(
+        tmp_path, monkeypatch):
+    emulator = tmp_path / "board"
+    emulator.write_text("#!/bin/sh\nexec sleep 60\n")
+    emulator.chmod(0o755)
+    monkeypatch.setattr(emulated, "IMAGES", tmp_path.parent)
+    monkeypatch.setattr(emulated.MC68000_BOARD, "name", tmp_path.name)
+    with pytest.raises(emulated.Failed, match="no end after 0.1 s"):
+        emulated.MC68000_BOARD.fly({"mcs": emulated.Tape(1)}, tmp_path,
+                                   limit_s=0.1)
+
+
 def test_brd1_a_frame_without_a_row_is_found():
     """A node that has no row of a frame has no words that differ."""
     rows = [{"frame": str(frame)} for frame in range(4)]
