@@ -143,6 +143,7 @@ package body MC68681.Registers with SPARK_Mode => Off is
          when Reset_Receiver =>
             This.Receiver_Is_On := False;
             This.Held := 0;
+            This.Errors_Are_Gone := False;
             Receivers (Port).Shift_Is_Full := False;
          when Reset_Sender =>
             This.Sender_Is_On := False;
@@ -152,6 +153,7 @@ package body MC68681.Registers with SPARK_Mode => Off is
                This.Overrun := False;
                This.Overrun_Resets := This.Overrun_Resets + 1;
             end if;
+            This.Errors_Are_Gone := This.Held > 0;
       end case;
    end Write_Command;
 
@@ -160,7 +162,7 @@ package body MC68681.Registers with SPARK_Mode => Off is
       Oldest : Heard_Character;
    begin
       Advance (Port);
-      if This.Held > 0 then
+      if This.Held > 0 and then not This.Errors_Are_Gone then
          Oldest := Receivers (Port).Received (This.Oldest mod 256);
       end if;
       Status :=

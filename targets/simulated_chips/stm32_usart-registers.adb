@@ -86,6 +86,7 @@ package body STM32_USART.Registers with SPARK_Mode => Off is
          Present := All_Received (Port, This.Present mod 256);
       end if;
       This.Overrun_Shown := This.Overrun;
+      This.Parity_Shown := Present.Wrong_Parity;
       Status :=
         (Wrong_Parity    => Present.Wrong_Parity,
          Wrong_Framing   => Present.Wrong_Framing,
@@ -107,6 +108,7 @@ package body STM32_USART.Registers with SPARK_Mode => Off is
          This.Present := This.Present + 1;
          This.Received := False;
       end if;
+      This.Parity_Shown := False;
       if This.Overrun_Shown then
          This.Overrun := False;
          This.Overrun_Shown := False;

@@ -329,6 +329,8 @@ procedure Test_Chips is
       use STM32_USART.Registers;
       Is_Free : Boolean;
       Refused : Boolean := False;
+      Counts  : USART.Error_Counts;
+      Result  : USART.Reception;
    begin
       Begin_Plan (No_Events);
       USART.Look_At_Sender (STM32_USART.Line, Is_Free);
@@ -340,6 +342,17 @@ procedure Test_Chips is
          when Assertion_Error => Refused := True;
       end;
       pragma Assert (Refused and then State (STM32_USART.Line).Last_Sent = 77);
+
+      --  The second character has a wrong parity, which a write would hide.
+      Begin_Plan ((1, 0, 1, others => 0));
+      USART.Receive (STM32_USART.Line, Counts, Result);
+      pragma Assert (Result.Is_There and then not Result.Wrong_Parity);
+      USART.Look_At_Sender (STM32_USART.Line, Is_Free);
+      pragma Assert (not Is_Free);
+      USART.Receive (STM32_USART.Line, Counts, Result);
+      pragma Assert (Result.Wrong_Parity);
+      USART.Look_At_Sender (STM32_USART.Line, Is_Free);
+      pragma Assert (Is_Free);
    end Send_To_USART;
 
    --  The STM32's watchdog

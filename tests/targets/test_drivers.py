@@ -76,10 +76,18 @@ def write(path, text):
 
 @pytest.mark.parametrize("name, text, planted, found", [
     ("mc68681/mc68681-channels.adb",
-     "      if Status.Errors /= No_Errors then\n",
-     "      Write_Command (Port, Reset_Errors);\n"
-     "      if Status.Errors /= No_Errors then\n",
+     "         if Status.Errors /= No_Errors then\n",
+     "         Write_Command (Port, Reset_Errors);\n"
+     "         if Status.Errors /= No_Errors then\n",
      TESTS[1]),
+    ("mc68681/mc68681-channels.adb",
+     "               Write_Command (Port, Reset_Errors);\n",
+     "               Count_Errors\n"
+     "                 (Counts, True, Result.Wrong_Parity,\n"
+     "                  Result.Wrong_Framing);\n"
+     "               Read_Data (Port, Result.Data);\n"
+     "               Write_Command (Port, Reset_Errors);\n"
+     "               return;\n", TESTS[1]),
     ("mc68681/mc68681-channels.adb", "      Write_Command (Port, "
      "Reset_Mode_Pointer);\n", "", TESTS[1]),
     ("mc68681/mc68681-channels.adb",
@@ -92,6 +100,9 @@ def write(path, text):
      "if Status.Received then", TESTS[6]),
     ("stm32_usart/stm32_usart-channels.adb",
      "         Result.Overrun := Status.Overrun;\n", "", TESTS[6]),
+    ("stm32_usart/stm32_usart-channels.adb",
+     "\n        and then not (Status.Received and then Status.Wrong_Parity);",
+     ";", TESTS[7]),
     ("stm32_watchdog/stm32_watchdog-timers.adb",
      "      Write_Key (Unlock);\n", "", TESTS[8]),
     ("stm32_watchdog/stm32_watchdog-timers.adb",
@@ -122,8 +133,9 @@ def write(path, text):
      "      Clear_Current;\n", "", TESTS[16]),
     ("cortex_systick/cortex_systick-timers.adb",
      "Is_Due := Now.Has_Ended;", "Is_Due := Now.Counts;", TESTS[17]),
-], ids=["overrun reset unseen", "mode pointer", "framing", "period unseen",
-        "overrun alone", "overrun not reported", "watchdog locked",
+], ids=["overrun reset unseen", "errors reset unseen", "mode pointer", "framing",
+        "period unseen", "overrun alone", "overrun not reported",
+        "sent while a parity error waits", "watchdog locked",
         "watchdog not fed", "old value", "one look", "overrun stays",
         "pulse cut", "values not taken", "output while set up",
         "longest pulse", "started while it counts", "old count",

@@ -38,7 +38,9 @@ package body MC68681.Channels with SPARK_Mode is
    end Count_Errors;
 
    --  The flag of an overrun is reset only when it was set: one that comes
-   --  between the two accesses would else be lost.
+   --  between the two accesses would else be lost. The reset also clears the
+   --  errors of the oldest character: those of one that was not looked at
+   --  would be lost.
    procedure Receive
      (Port   : Port_Name;
       Counts : in out Error_Counts;
@@ -53,21 +55,19 @@ package body MC68681.Channels with SPARK_Mode is
          Sender_Is_Free => Status.Takes_Character,
          others         => False);
       if Status.Received then
-         Read_Data (Port, Result.Data);
-      end if;
-      if Status.Errors /= No_Errors then
-         if Status.Received then
+         if Status.Errors /= No_Errors then
             Result.Wrong_Parity := Has (Status.Errors, Wrong_Parity);
             Result.Wrong_Framing :=
               Has (Status.Errors, Wrong_Framing or Is_Break);
+            if Has (Status.Errors, Overrun) then
+               Result.Overrun := True;
+               Write_Command (Port, Reset_Errors);
+            end if;
+            Count_Errors
+              (Counts, Result.Overrun, Result.Wrong_Parity,
+               Result.Wrong_Framing);
          end if;
-         if Has (Status.Errors, Overrun) then
-            Result.Overrun := True;
-            Write_Command (Port, Reset_Errors);
-         end if;
-         Count_Errors
-           (Counts, Result.Overrun, Result.Wrong_Parity,
-            Result.Wrong_Framing);
+         Read_Data (Port, Result.Data);
       end if;
    end Receive;
 
@@ -82,7 +82,6 @@ package body MC68681.Channels with SPARK_Mode is
       Line :=
         (if Status.Received
          then (if Status.Errors = No_Errors then Good else Faulty)
-         elsif Has (Status.Errors, Overrun) then Faulty
          else Nothing);
       Sender_Is_Free := Status.Takes_Character;
    end Look;

@@ -65,7 +65,8 @@ package MC68681.Channels with SPARK_Mode is
       and then Port.Second_Mode = Line_Mode_2
       and then Port.Clocks = Outside_Clocks
       and then Port.Receiver_Is_On
-      and then Port.Sender_Is_On)
+      and then Port.Sender_Is_On
+      and then not Port.Errors_Are_Gone)
    with Ghost;
 
    --  Sets the modes and switches receiver and sender on, whatever the chip
@@ -77,7 +78,7 @@ package MC68681.Channels with SPARK_Mode is
 
    --  The characters come in order, none twice, each with its own errors. A
    --  loss is reported by this call or by a later one. An overrun is reported
-   --  once, and only if the chip has shown it.
+   --  once, with a character, and only if the chip has shown it.
    procedure Receive
      (Port   : Port_Name;
       Counts : in out Error_Counts;
@@ -85,8 +86,10 @@ package MC68681.Channels with SPARK_Mode is
    with
      Inline,
      Global => (In_Out => Chips),
+     Pre    => not State (Port).Errors_Are_Gone,
      Post   =>
        Same_Settings (State (Port), State (Port)'Old)
+       and then not State (Port).Errors_Are_Gone
        and then (if State (Port)'Old.Held > 0 then Result.Is_There)
        and then
          Counts =
@@ -117,8 +120,8 @@ package MC68681.Channels with SPARK_Mode is
          (if Result.Sender_Is_Free then State (Port).Takes_Character)
        and then State (Port).Sent = State (Port)'Old.Sent;
 
-   --  A look that costs less than Receive. Faulty: a character with an error
-   --  waits, or one was lost. Receive reports it.
+   --  A look that costs less than Receive. Faulty: a character waits that has
+   --  an error, or after which one was lost. Receive reports it.
 
    type Arrival is (Nothing, Good, Faulty);
 
@@ -129,12 +132,11 @@ package MC68681.Channels with SPARK_Mode is
    with
      Inline,
      Global => (In_Out => Chips),
+     Pre    => not State (Port).Errors_Are_Gone,
      Post   =>
        Follows (State (Port), State (Port)'Old)
        and then Sender_Is_Free = State (Port).Takes_Character
-       and then
-         (Line = Nothing) =
-           (State (Port).Held = 0 and then not State (Port).Overrun)
+       and then (Line = Nothing) = (State (Port).Held = 0)
        and then
          (if Line = Good
           then State (Port).Held > 0

@@ -32,6 +32,10 @@ package MC68681.Models with Pure, SPARK_Mode is
       --  The number of times when a set flag was reset.
       Overrun_Resets  : Event_Number;
 
+      --  The errors of the oldest character were reset, too: the status does
+      --  not show them.
+      Errors_Are_Gone : Boolean;
+
       Takes_Character : Boolean;
 
       --  Characters given to the sender, and the last one of them.
@@ -58,6 +62,7 @@ package MC68681.Models with Pure, SPARK_Mode is
       and then (if Before.Overrun then After.Overrun)
       and then (if After.Losses /= Before.Losses then After.Overrun)
       and then After.Overrun_Resets = Before.Overrun_Resets
+      and then After.Errors_Are_Gone = Before.Errors_Are_Gone
       and then (if Before.Takes_Character then After.Takes_Character)
       and then After.Sent = Before.Sent
       and then After.Last_Sent = Before.Last_Sent);
@@ -78,7 +83,10 @@ package MC68681.Models with Pure, SPARK_Mode is
      ((Port with delta Clocks => Clocks));
 
    function Without_Oldest (Port : Port_Model) return Port_Model is
-     ((Port with delta Oldest => Port.Oldest + 1, Held => Port.Held - 1))
+     ((Port with delta
+         Oldest          => Port.Oldest + 1,
+         Held            => Port.Held - 1,
+         Errors_Are_Gone => False))
    with Pre => Port.Held > 0;
 
    function With_Character (Port : Port_Model; Data : Byte) return Port_Model
@@ -88,8 +96,9 @@ package MC68681.Models with Pure, SPARK_Mode is
          Sent            => Port.Sent + 1,
          Last_Sent       => Data));
 
-   --  The result of a command. A character that arrives just before a reset of
-   --  the errors may be lost, and its flag is reset, too.
+   --  The result of a command. A reset of the errors resets those of the
+   --  oldest character, too, also of one that arrives just before. A character
+   --  may be lost just before, and its flag is reset.
    function Obeys
      (After, Before : Port_Model;
       Order         : Command) return Boolean
@@ -106,18 +115,24 @@ package MC68681.Models with Pure, SPARK_Mode is
             Follows (After, (Before with delta Second_Is_Next => False)),
          when Reset_Receiver     =>
             Same_Settings (After, (Before with delta Receiver_Is_On => False))
-            and then After.Held = 0,
+            and then After.Held = 0
+            and then not After.Errors_Are_Gone,
          when Reset_Sender       =>
             Same_Settings (After, (Before with delta Sender_Is_On => False))
             and then After.Oldest = Before.Oldest
-            and then After.Held >= Before.Held,
+            and then After.Held >= Before.Held
+            and then
+              (if not Before.Receiver_Is_On then After.Held = Before.Held)
+            and then After.Errors_Are_Gone = Before.Errors_Are_Gone,
          when Reset_Errors       =>
             Follows
               (After,
                (Before with delta
-                  Overrun        => After.Overrun,
-                  Losses         => After.Losses,
-                  Overrun_Resets => After.Overrun_Resets))
+                  Overrun         => After.Overrun,
+                  Losses          => After.Losses,
+                  Overrun_Resets  => After.Overrun_Resets,
+                  Errors_Are_Gone => After.Errors_Are_Gone))
+            and then (if After.Errors_Are_Gone then After.Held > 0)
             and then
               (if Before.Overrun
                then After.Overrun_Resets = Before.Overrun_Resets + 1));
@@ -133,7 +148,7 @@ package MC68681.Models with Pure, SPARK_Mode is
       and then Status.Takes_Character = Port.Takes_Character
       and then Has (Status.Errors, Overrun) = Port.Overrun
       and then
-        (if Status.Received
+        (if Status.Received and then not Port.Errors_Are_Gone
          then Has (Status.Errors, Wrong_Parity) = Oldest.Wrong_Parity
            and then Has (Status.Errors, Wrong_Framing) = Oldest.Wrong_Framing
            and then Has (Status.Errors, Is_Break) = Oldest.Is_Break));

@@ -40,11 +40,15 @@ package body STM32_USART.Channels with SPARK_Mode is
       end if;
    end Receive;
 
+   --  A write of the data register would reset the shown flag of a wrong
+   --  parity, and the character would seem good.
    procedure Look_At_Sender (Port : Port_Name; Is_Free : out Boolean) is
       Status : Port_Status;
    begin
       Read_Status (Port, Status);
-      Is_Free := Status.Takes_Character;
+      Is_Free :=
+        Status.Takes_Character
+        and then not (Status.Received and then Status.Wrong_Parity);
    end Look_At_Sender;
 
    procedure Send (Port : Port_Name; Data : Byte) is

@@ -78,6 +78,7 @@ package STM32_USART.Channels with SPARK_Mode is
      Global => (In_Out => Chip),
      Post   =>
        Same_Settings (State (Port), State (Port)'Old)
+       and then not State (Port).Parity_Shown
        and then (if State (Port)'Old.Received then Result.Is_There)
        and then Counts = Counted (Counts'Old, Result)
        and then
@@ -115,13 +116,16 @@ package STM32_USART.Channels with SPARK_Mode is
       and then Result.Noise = Heard.Noise)
    with Ghost;
 
-   --  Is_Free: the sender takes a character now.
+   --  Is_Free: the sender takes a character now. It does not while a character
+   --  with a wrong parity waits: Receive takes that one first.
    procedure Look_At_Sender (Port : Port_Name; Is_Free : out Boolean)
    with
      Inline,
      Global => (In_Out => Chip),
      Post   =>
-       Is_Free = State (Port).Takes_Character
+       Is_Free =
+         (State (Port).Takes_Character
+          and then not State (Port).Parity_Shown)
        and then Same_Settings (State (Port), State (Port)'Old)
        and then State (Port).Present = State (Port)'Old.Present
        and then (if State (Port)'Old.Received then State (Port).Received)
@@ -137,7 +141,8 @@ package STM32_USART.Channels with SPARK_Mode is
      Pre    =>
        State (Port).Settings.Port_On
        and then State (Port).Settings.Sender_On
-       and then State (Port).Takes_Character,
+       and then State (Port).Takes_Character
+       and then not State (Port).Parity_Shown,
      Post   =>
        Follows (State (Port), With_Character (State (Port)'Old, Data));
 

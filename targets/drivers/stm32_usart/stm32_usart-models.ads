@@ -25,6 +25,11 @@ package STM32_USART.Models with Pure, SPARK_Mode is
       Overrun_Shown   : Boolean;
       Overrun_Resets  : Event_Number;
 
+      --  The last read of the status register showed the wrong parity of the
+      --  present character. Not only a read of the data register resets this
+      --  flag then, but a write, too.
+      Parity_Shown    : Boolean;
+
       Takes_Character : Boolean;
 
       --  Characters given to the sender, and the last one of them.
@@ -49,6 +54,7 @@ package STM32_USART.Models with Pure, SPARK_Mode is
       and then (if After.Losses /= Before.Losses then After.Overrun)
       and then After.Overrun_Shown = Before.Overrun_Shown
       and then After.Overrun_Resets = Before.Overrun_Resets
+      and then After.Parity_Shown = Before.Parity_Shown
       and then (if Before.Takes_Character then After.Takes_Character)
       and then After.Sent = Before.Sent
       and then After.Last_Sent = Before.Last_Sent);
@@ -77,11 +83,13 @@ package STM32_USART.Models with Pure, SPARK_Mode is
                Overrun        => After.Overrun,
                Losses         => After.Losses,
                Overrun_Shown  => False,
+               Parity_Shown   => False,
                Overrun_Resets => Before.Overrun_Resets + 1)
           else
             (Before with delta
-               Received => False,
-               Present  => After.Present)))
+               Received     => False,
+               Parity_Shown => False,
+               Present      => After.Present)))
       and then (if Before.Received then After.Present = Before.Present + 1));
 
    --  The status register of a port with this present character.

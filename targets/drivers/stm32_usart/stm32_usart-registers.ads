@@ -63,7 +63,10 @@ is
      Post   =>
        Follows
          (State (Port),
-          (State (Port)'Old with delta Overrun_Shown => Status.Overrun))
+          (State (Port)'Old with delta
+             Overrun_Shown => Status.Overrun,
+             Parity_Shown  =>
+               Status.Received and then Status.Wrong_Parity))
        and then
          Shows
            (Status, State (Port),
@@ -89,7 +92,8 @@ is
      Pre    =>
        State (Port).Settings.Port_On
        and then State (Port).Settings.Sender_On
-       and then State (Port).Takes_Character,
+       and then State (Port).Takes_Character
+       and then not State (Port).Parity_Shown,
      Post   => Follows (State (Port), With_Character (State (Port)'Old, Data));
 
 end STM32_USART.Registers;

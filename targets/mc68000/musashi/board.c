@@ -631,9 +631,18 @@ static void command(struct duart *duart, int channel, uint8_t value)
 {
    switch (value >> 4 & 7) {
    case 1: duart->place[channel] = 0; break;
-   case 2: duart->receives[channel] = false; duart->held = 0; break;
+   case 2:
+      duart->receives[channel] = false;
+      if (channel == 0)
+         duart->held = 0;
+      break;
    case 3: duart->sends[channel] = false; break;
-   case 4: duart->overrun = false; break;
+   case 4:                            /* also those of the oldest character */
+      if (channel == 0) {
+         duart->overrun = false;
+         duart->fifo[0].errors = 0;
+      }
+      break;
    default: break;
    }
    if (value & 1) duart->receives[channel] = true;
