@@ -19,6 +19,12 @@ cd "$(dirname "$0")/.."
 seconds=${1:?usage: evidence/fuzz.sh SECONDS [INPUTS]}
 inputs=${2:-}
 found=obj/afl/default
+for number in "$seconds" ${inputs:+"$inputs"}; do
+   case $number in
+      *[!0-9]* | 0*) echo "fuzz: not a number from 1 on: $number" >&2
+                     exit 2 ;;
+   esac
+done
 
 case ${FUZZ:-board} in
    board) program=urv_fuzz ;;

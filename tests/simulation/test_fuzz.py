@@ -54,3 +54,12 @@ def test_a_short_run_finds_nothing():
     )
     assert result.returncode == 0, result.stdout + result.stderr
     assert int(result.stdout.split()[1]) >= 5_000, result.stdout
+
+
+@pytest.mark.parametrize("numbers", [["0"], ["-1"], ["ten"], ["5", "0"]])
+def test_sec14_fuzzing_for_no_time_is_refused(numbers):
+    result = subprocess.run(
+        [ROOT / "evidence" / "fuzz.sh", *numbers],
+        capture_output=True, text=True, timeout=60, check=False)
+    assert result.returncode == 2
+    assert result.stderr == f"fuzz: not a number from 1 on: {numbers[-1]}\n"
