@@ -294,6 +294,14 @@ def sounded(jobs, number):
                            file=sys.stderr)))
 
 
+def renewed(before, text):
+    """The new page, with the last section of the old one: that is of more
+    flights."""
+    if SOUND not in before:
+        return text
+    return text.partition(SOUND)[0] + SOUND + before.partition(SOUND)[2]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--renew", action="store_true",
@@ -327,7 +335,7 @@ def main():
     text = page(found, alarms, chosen.sound)
     print(text)
     if chosen.renew:
-        PAGE.write_text(text, encoding="utf-8")
+        PAGE.write_text(renewed(PAGE.read_text("utf-8"), text), "utf-8")
     if alarms or wrongly_named(found):
         sys.exit("surfaces: a sound surface was named")
 

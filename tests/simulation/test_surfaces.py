@@ -180,3 +180,12 @@ def test_the_page_has_a_row_of_each_surface_s_own_cases():
     assert rows["left_rudder"] == [
         "1 of 1 (100 %)", "2 degrees, 4 ft", "none", "none flown"]
     assert rows["right_rudder"][0] == "none flown"
+
+
+def test_ext6_a_new_page_keeps_the_section_of_the_larger_campaign():
+    """--only-sound --renew writes that section alone."""
+    sound = surfaces.SOUND + "\nIn 10,000 flights none was reported.\n"
+    assert surfaces.renewed(
+        f"# Old\n\n{sound}", f"# New\n\n{surfaces.SOUND}\nIn 100.\n"
+    ) == f"# New\n\n{sound}"
+    assert surfaces.renewed("", f"# New\n{sound}") == f"# New\n{sound}"
