@@ -349,6 +349,18 @@ def planned(size, only=None):
             if not only or name.split("/")[0] in only]
 
 
+def is_shard(name):
+    """True if it is the name of a shard, of any size."""
+    group, *rest = name.split("/")
+    try:
+        if group == "mix":
+            first, stop = map(int, rest)
+            return 0 <= first < stop
+        return bool(cases.of_shard(name)[2])
+    except (ValueError, IndexError):
+        return False
+
+
 def result_of(name, message_format):
     """A shard's result; one that ends with an exception has failed."""
     try:
@@ -402,8 +414,11 @@ def main():
             parser.error(f"a mix's number is a whole one, not {given.name!r}")
         return show_mix(int(given.name), given.folder, given.format)
     if given.size == "shard":
-        print(json.dumps(run_shard(given.name, given.format)), flush=True)
-        return 0
+        if not is_shard(given.name):
+            parser.error(f"no such shard: {given.name}; one is calm/3/200")
+        result = run_shard(given.name, given.format)
+        print(json.dumps(result), flush=True)
+        return 1 if result["failures"] else 0
     # A termination ends the workers, too, as Ctrl-C does.
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     only = given.only.split(",") if given.only else None

@@ -204,3 +204,23 @@ def test_report_fails_when_a_check_did(
     assert f"tiny: 500 faults, {status} failures" in said
     assert ("FAILED" in said) == (status == 1)
     assert (tmp_path / "results.csv").exists()
+
+
+# --- the command ----------------------------------------------------------
+
+@pytest.mark.parametrize("name", [
+    "calm/0", "single/3/0/0/1", "mix/5", "mix/3/2", "quiet/3/200"])
+def test_lnk9_a_name_of_no_shard_is_refused(monkeypatch, capsys, name):
+    monkeypatch.setattr(sys, "argv", ["run.py", "shard", name])
+    with pytest.raises(SystemExit) as ended:
+        run.main()
+    assert ended.value.code == 2
+    assert f"no such shard: {name}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("failures", [[], ["calm/3/40: not calm"]])
+def test_lnk9_a_shard_that_is_repeated_fails_again(monkeypatch, failures):
+    monkeypatch.setattr(sys, "argv", ["run.py", "shard", "calm/3/40"])
+    monkeypatch.setattr(run, "run_shard",
+                        lambda *_: shard_result(failures=failures))
+    assert run.main() == len(failures)
