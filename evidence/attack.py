@@ -30,6 +30,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from whole_numbers import whole
+
 ROOT = Path(__file__).resolve().parent.parent
 SIMULATION = ROOT / "bin" / "urv_sim"
 FRAME_MS = 20
@@ -194,9 +196,9 @@ def prepare(folder):
 def main(arguments):
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("--flights", type=int, default=2000)
+    parser.add_argument("--flights", type=whole(1), default=2000)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--jobs", type=whole(1), default=os.cpu_count())
     given = parser.parse_args(arguments)
     wrong = oldest = 0
     with tempfile.TemporaryDirectory() as name, ThreadPoolExecutor(

@@ -44,7 +44,8 @@ from pathlib import Path  # noqa: E402
 import numpy  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
-sys.path[:0] = [str(ROOT / "ground"), str(ROOT / "sim" / "jsbsim")]
+sys.path[:0] = [str(ROOT / folder)
+                for folder in ("ground", "sim/jsbsim", "evidence")]
 
 from airframes import AIRFRAMES  # noqa: E402
 from urv import cards, dispersions, flights  # noqa: E402
@@ -53,6 +54,7 @@ from urv.identification import (  # noqa: E402
     analysis,
     manoeuvres,
 )
+from whole_numbers import whole  # noqa: E402
 
 PAGE = ROOT / "docs" / "flight-test.md"
 BEGIN = "<!-- derivatives.py --renew --airframe {} writes this -->"
@@ -311,7 +313,7 @@ def inputs_table(results):
 
 def main():
     arguments = argparse.ArgumentParser()
-    arguments.add_argument("--flights", type=int, default=6)
+    arguments.add_argument("--flights", type=whole(1), default=6)
     arguments.add_argument("--first", type=int, default=1)
     arguments.add_argument("--airframe", default=OWN,
                            choices=(OWN, *AIRFRAMES))

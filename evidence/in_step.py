@@ -22,6 +22,8 @@ import tempfile
 from pathlib import Path
 from typing import NamedTuple
 
+from whole_numbers import whole
+
 ROOT = Path(__file__).resolve().parents[1]
 PROGRAM = ROOT / "bin" / "urv_sim"
 
@@ -155,7 +157,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--schedule", choices=sorted(BOUNDS_MS),
                         default="fast")
-    parser.add_argument("--frames", type=int,
+    parser.add_argument("--frames", type=whole(1),
                         help="of a longer flight for each drift, too")
     given = parser.parse_args()
     failed = False

@@ -3,9 +3,10 @@
 """Cuts the link for a minute at seconds of the standard flight and sees what
 the aircraft's control laws do about it (EXT-5).
 
-    evidence/link_cuts.py [--every N] [--first S] [--cut S] [--jobs N]
+    evidence/link_cuts.py [--every N] [--first S] [--cut S] [--jobs N] [--all]
 
-A line for each flight that is not well, and a last one with the worst of all.
+A line for each flight that is not well, with --all for each one, and a last one
+with the worst of all.
 Well is: never more than 45 degrees of bank from the cut on, the link back, and
 at the end, a minute after it is, level within 30 degrees and within 200 ft of
 where the pilot wants it.
@@ -19,6 +20,8 @@ import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+
+from whole_numbers import whole
 
 ROOT = Path(__file__).resolve().parent.parent
 FLIGHT = 180
@@ -70,13 +73,14 @@ def is_well(flown: dict[str, float]) -> bool:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--every", type=int, default=1, metavar="N",
+    parser.add_argument("--every", type=whole(1), default=1, metavar="N",
                         help="each Nth second (1)")
-    parser.add_argument("--first", type=int, default=1, metavar="S",
+    parser.add_argument("--first", type=whole(1, FLIGHT), default=1,
+                        metavar="S",
                         help="from that second on (1)")
-    parser.add_argument("--cut", type=int, default=60, metavar="S",
+    parser.add_argument("--cut", type=whole(1), default=60, metavar="S",
                         help="how long the link is cut (60)")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count(),
+    parser.add_argument("--jobs", type=whole(1), default=os.cpu_count(),
                         metavar="N", help="flights at once (one a processor)")
     parser.add_argument("--all", action="store_true",
                         help="a line for each flight")

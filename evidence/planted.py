@@ -117,6 +117,9 @@ def missed(copy, planted):
 def main():
     found = [planted for planted in patches(ROOT)
              if planted.name.startswith(tuple(sys.argv[1:]) or "")]
+    if not found:
+        print(f"planted: no defect begins with {' or '.join(sys.argv[1:])}")
+        return 1
     failures = [fault for planted in found
                 for fault in faults_of(ROOT, planted)]
     if not failures:
@@ -130,7 +133,7 @@ def main():
     for line in failures:
         print(f"planted: {line}")
     print(f"planted: {len(found)} defects, {len(failures)} failures")
-    return 1 if failures or not found else 0
+    return 1 if failures else 0
 
 
 if __name__ == "__main__":

@@ -4,15 +4,19 @@
 
     evidence/seal_tags.py [NUMBER] [SEED]    a million random messages
 
+evidence/seal/urv_seal.gpr builds the program.
 Exit status: 0 all are the same; 1 one is not.
 """
 
+import argparse
 import random
 import subprocess
 import sys
 from pathlib import Path
 
 from nacl.bindings import crypto_shorthash_siphash24 as siphash
+
+from whole_numbers import whole
 
 TOOL = Path(__file__).resolve().parent.parent / "bin" / "urv_seal"
 AT_ONCE = 50_000
@@ -35,5 +39,17 @@ def main(number=1_000_000, seed=1):
     return 0
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
+    parser.add_argument("number", type=whole(1), nargs="?",
+                        default=1_000_000, help="of messages (a million)")
+    parser.add_argument("seed", type=int, nargs="?", default=1)
+    given = parser.parse_args()
+    if not TOOL.exists():
+        sys.exit(f"seal_tags.py: missing: {TOOL.relative_to(TOOL.parents[1])}:"
+                 " gprbuild -p -P evidence/seal/urv_seal.gpr builds it")
+    return given.number, given.seed
+
+
 if __name__ == "__main__":
-    sys.exit(main(*map(int, sys.argv[1:])))
+    sys.exit(main(*arguments()))

@@ -36,6 +36,7 @@ import ada_source  # noqa: E402
 from flight_numbers import NUMBERS  # noqa: E402
 from machine_pauses import (  # noqa: E402
     Pauses, Watchers, SHORTEST_US)
+from whole_numbers import whole  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "evidence" / "timing.md"
@@ -376,12 +377,9 @@ def flight_table(summaries, records, ways):
 
 def main():
     options = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    options.add_argument("--seconds", type=int, default=20)
+    options.add_argument("--seconds", type=whole(5), default=20)
     options.add_argument("--renew", action="store_true")
     chosen = options.parse_args()
-    if chosen.seconds < 5:
-        options.error("--seconds: at least 5")
-
     with tempfile.TemporaryDirectory(prefix="urv-timing-") as name:
         changes, summaries, records, machine, pauses = fly(
             Path(name), chosen.seconds

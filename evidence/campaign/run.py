@@ -47,6 +47,7 @@ import data  # noqa: E402
 import mixes  # noqa: E402
 import monitor  # noqa: E402
 from flight_numbers import FRAMES_PER_S, NUMBERS  # noqa: E402
+from whole_numbers import whole  # noqa: E402
 
 PROGRAM = ROOT / "bin" / "urv_sim"
 RESULTS = ROOT / "campaign"
@@ -398,7 +399,7 @@ def main():
     parser.add_argument("name", nargs="?",
                         help="of the shard, or number of the mix")
     parser.add_argument("folder", nargs="?", type=Path, help="for the mix")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1,
+    parser.add_argument("--jobs", type=whole(1), default=os.cpu_count() or 1,
                         help="at once")
     parser.add_argument("--format", type=int, choices=(1, 2), default=1,
                         help="of the messages; 2 is sealed")

@@ -25,6 +25,10 @@ from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from whole_numbers import whole  # noqa: E402
+
 ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 
@@ -260,10 +264,10 @@ def campaign(seeds, jobs, say=lambda line: None):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--flights", type=int, default=100)
+    parser.add_argument("--flights", type=whole(1), default=100)
     parser.add_argument("--seed", type=int, default=1,
                         help="of the first; the others follow")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--jobs", type=whole(1), default=os.cpu_count())
     chosen = parser.parse_args()
     seeds = range(chosen.seed, chosen.seed + chosen.flights)
     found = campaign(

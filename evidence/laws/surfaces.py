@@ -28,10 +28,12 @@ from typing import NamedTuple
 
 sys.path[:0] = [
     str(Path(__file__).resolve().parent),
+    str(Path(__file__).resolve().parents[1]),
     str(Path(__file__).resolve().parents[2] / "scripts" / "laws")]
 
 import allocation  # noqa: E402
 import sound_flights  # noqa: E402
+from whole_numbers import whole  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "evidence" / "surfaces.md"
@@ -306,10 +308,10 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--renew", action="store_true",
                         help="write docs/evidence/surfaces.md")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--sound", type=int, default=100,
+    parser.add_argument("--jobs", type=whole(1), default=os.cpu_count())
+    parser.add_argument("--sound", type=whole(1), default=100,
                         help="flights without a fault")
-    parser.add_argument("--sample", type=int,
+    parser.add_argument("--sample", type=whole(1, len(cases()) // 2),
                         help="a number of cases of the grid")
     parser.add_argument("--only-sound", action="store_true",
                         help="no case of the grid")

@@ -12,7 +12,8 @@ failure is recorded.
 Results are appended to a file as they come. A run goes on where the last one
 stopped; a mutant is tried again when the file it changes has changed.
 
-Exit status: 0 done; 1 the unchanged software does not pass its own tests.
+Exit status: 0 done; 1 the unchanged software does not pass its own tests, or
+there is no mutant.
 """
 
 import argparse
@@ -23,11 +24,15 @@ import signal
 import sys
 import threading
 import time
+from pathlib import Path
 
-import fates
-import mutants
-from fates import PASSED
-from flight_trials import FlightTrial
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+import fates  # noqa: E402
+import mutants  # noqa: E402
+from fates import PASSED  # noqa: E402
+from flight_trials import FlightTrial  # noqa: E402
+from whole_numbers import whole  # noqa: E402
 
 SEED = 1991
 
@@ -105,7 +110,7 @@ def run_stage(stage, wanted, digests, jobs):
 
 def read_arguments():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--jobs", type=int, default=1)
+    parser.add_argument("--jobs", type=whole(1), default=1)
     parser.add_argument("--only", default="", metavar="TEXT",
                         help="only files whose path contains this")
     parser.add_argument("--again", metavar="FATE",
@@ -131,6 +136,9 @@ def main():
     before = fates.read(fates.RESULTS)
     picked = mutants.chosen(every, SEED, *SAMPLE, before)
     picked = [m for m in picked if arguments.only in m.path]
+    if not picked:
+        print(f"mutation: no mutant in a file whose path has {arguments.only}")
+        return 1
     if arguments.list:
         for m in picked:
             print(f"{m.name} {m.path}:{m.line} {m.operator}")

@@ -31,6 +31,7 @@ sys.path[:0] = [str(ROOT / each) for each in (
 import mixes  # noqa: E402
 import monitor  # noqa: E402
 from urv import cards  # noqa: E402
+from whole_numbers import whole  # noqa: E402
 
 PROGRAM = Path(os.environ.get("URV_SIM", ROOT / "bin" / "urv_sim")).resolve()
 SECONDS = 10
@@ -399,8 +400,8 @@ def judged(flight, folder):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
-    parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--flights", type=int, default=1_000)
+    parser.add_argument("--first", type=whole(0), default=0)
+    parser.add_argument("--flights", type=whole(1), default=1_000)
     parser.add_argument("--keep", type=Path, help="a folder for the files of"
                         " flights with findings")
     given = parser.parse_args()

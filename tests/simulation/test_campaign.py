@@ -208,6 +208,33 @@ def test_report_fails_when_a_check_did(
 
 # --- the command ----------------------------------------------------------
 
+# The arguments of a measurement of nothing, and of workers that do nothing.
+NOTHING = [
+    ("attack.py", "--flights", "0"), ("attack.py", "--jobs", "0"),
+    ("campaign/run.py", "tiny", "--jobs", "0"),
+    ("derivatives.py", "--flights", "0"), ("in_step.py", "--frames", "0"),
+    ("laws/sound_flights.py", "--flights", "0"),
+    ("laws/surfaces.py", "--sample", "0"),
+    ("laws/surfaces.py", "--sample", "301"),
+    ("laws/surfaces.py", "--sound", "-1"),
+    ("link_cuts.py", "--every", "0"), ("link_cuts.py", "--first", "181"),
+    ("mutation/run.py", "--jobs", "0"), ("mutation/run.py", "--only", "?"),
+    ("planted.py", "nothing"), ("safety/card_flights.py", "--flights", "0"),
+    ("seal_tags.py", "0"), ("timing.py", "--seconds", "4")]
+
+
+@pytest.mark.parametrize(
+    "arguments", NOTHING, ids=[" ".join(each) for each in NOTHING])
+def test_sec1_a_measurement_of_nothing_is_refused(arguments):
+    name, *more = arguments
+    done = subprocess.run(
+        [sys.executable, ROOT / "evidence" / name, *more], timeout=120,
+        capture_output=True, text=True, check=False, cwd=ROOT)
+    assert done.returncode != 0
+    assert "Traceback" not in done.stderr
+    assert more[-1] in (done.stdout + done.stderr).splitlines()[-1]
+
+
 @pytest.mark.parametrize("name", [
     "calm/0", "single/3/0/0/1", "mix/5", "mix/3/2", "quiet/3/200"])
 def test_lnk9_a_name_of_no_shard_is_refused(monkeypatch, capsys, name):
