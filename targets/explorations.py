@@ -5,9 +5,11 @@ dual-ported memory: all orders of their accesses with few switches (BRD-8;
 mc68000/exploration/explore.c).
 
     targets/explorations.py [SWITCHES]
+    targets/explorations.py SCENARIO BEGINNER [SWITCH ...]
 
-Exit status: 0 when each run has the results of the same operations one after the
-other.
+The second command makes one run again, and prints each access to the memory; the
+first one prints it for a wrong run. Exit status: 0 when each run has the results of
+the same operations one after the other.
 """
 
 import re
@@ -136,22 +138,56 @@ def explored(switches=SWITCHES, divided=False, folder=FOLDER, chosen=None):
     return lines, wrong
 
 
+WRONG_RUN = re.compile(r" wrong: begins (\d), switches((?: \d+)*);")
+
+
+def command(name, line_of_wrong):
+    """The command that makes the wrong run of a scenario again."""
+    beginner, switches = WRONG_RUN.search(line_of_wrong).groups()
+    return f"targets/explorations.py {name} {beginner}{switches}"
+
+
+def again(name, beginner, switches=(), divided=False, folder=FOLDER):
+    """The exit status of one run, and a line for each of its accesses."""
+    lines = list(scenarios())
+    begin = lines.index(f"scenario {name}")
+    done = subprocess.run(
+        [FOLDER / "explore", folder / "exploration.bin", str(len(switches)),
+         "divided" if divided else "whole", beginner, *switches],
+        input="\n".join(lines[begin:lines.index("end", begin) + 1]) + "\n",
+        text=True, capture_output=True, check=False)
+    if done.returncode not in (0, 1):
+        raise RuntimeError(done.stderr)
+    return done.returncode, done.stdout
+
+
 def number(name, text):
     return int(re.search(rf" {name} (\d+)", text)[1])
 
 
 def main():
-    if len(sys.argv) > 2 or not all(each.isdigit() for each in sys.argv[1:]):
+    name, *more = sys.argv[1:] or [str(SWITCHES)]
+    is_again = f"scenario {name}" in scenarios()
+    if not all(each.isdigit() for each in more) or bool(more) != is_again or (
+            not is_again and not name.isdigit()):
         sys.exit(__doc__)
-    switches = int(sys.argv[1]) if len(sys.argv) > 1 else SWITCHES
-    for name in ("explore", "exploration.bin"):
-        if not (FOLDER / name).exists():
-            sys.exit(f"explorations.py: missing: {name}:"
+    for each in ("explore", "exploration.bin"):
+        if not (FOLDER / each).exists():
+            sys.exit(f"explorations.py: missing: {each}:"
                      " targets/mc68000/musashi/build_board.sh and"
                      " targets/build.sh mc68000 exploration make both")
-    lines, wrong = explored(switches)
+    try:
+        if is_again:
+            status, text = again(name, more[0], more[1:])
+            print(text, end="")
+            return status
+        lines, wrong = explored(int(name))
+    except RuntimeError as error:
+        sys.exit(f"explorations.py: {error}".strip())
     for each in lines.values():
         print(each)
+    for each in sorted(wrong):
+        print(f"again: {command(each, lines[each])}")
     print(f"{len(lines)} scenarios, {len(wrong)} wrong,"
           f" {sum(number('runs', each) for each in lines.values()):,} runs")
     return 1 if wrong else 0

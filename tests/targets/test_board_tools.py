@@ -63,7 +63,10 @@ def test_brd8_explorations_reports_a_missing_program(copy):
     found, last = ended(copy, "explorations.py")
     assert found == 1
     assert last.startswith("explorations.py: missing: explore: ")
-    assert ended(copy, "explorations.py", "two")[0] == 1
+    for arguments in (["two"], ["1", "2"], ["take_as_start"],
+                      ["take_as_start", "one"]):
+        assert ended(copy, "explorations.py", *arguments)[1].startswith(
+            "the same operations one after the other.")
 
 
 @pytest.mark.parametrize("arguments", [(), ("cortex_m",)])

@@ -50,9 +50,28 @@ def test_brd8_d99_operations_are_as_if_one_came_after_the_other():
 
 def test_brd8_a_divided_tas_is_found():
     """Between its read and its write the other processor claims, too."""
-    _, wrong = explorations.explored(
+    lines, wrong = explorations.explored(
         divided=True, chosen=chosen("third_block_ends", "take"))
     assert wrong == {"take_as_third_block_ends"}
+    # The same run is wrong again, when the printed command makes it. Both
+    # processors read a free lock before one of them takes it.
+    name, = wrong
+    program, *arguments = explorations.command(name, lines[name]).split()
+    assert program == "targets/explorations.py"
+    status, text = explorations.again(
+        arguments[0], arguments[1], arguments[2:], divided=True)
+    results = lines[name].partition("; results")[2].partition(" runs ")[0]
+    assert status == 1 and f"; results{results}\n{name} runs 1 " in text
+    locks = [line.split()[2:3] + line.split()[5:] for line in text.splitlines()
+             if " 200004 " in line]
+    assert ["0", "reads", "200004", "00"] in locks
+    first = next(place for place, each in enumerate(locks)
+                 if each[1:] == ["writes", "200004", "80"])
+    assert sorted(locks[:first])[-2:] == [
+        ["0", "reads", "200004", "00"], ["1", "reads", "200004", "00"]]
+    # Whole, it is right.
+    assert explorations.again(
+        arguments[0], arguments[1])[0] == 0
 
 
 @pytest.fixture(scope="module")

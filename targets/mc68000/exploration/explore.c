@@ -3,7 +3,7 @@
 /* Explores how the two processors of a node may share the dual-ported memory
    (BRD-8). Musashi executes the program exploration_program.adb on both.
 
-     explore ROM SWITCHES whole|divided < SCENARIOS
+     explore ROM SWITCHES whole|divided [BEGINNER [SWITCH ...]] < SCENARIOS
 
    A scenario has these lines; an order is a hexadecimal word for the program:
 
@@ -21,8 +21,11 @@
 
    The results of each run must be those of the same operations one after the
    other, in some order. A line of output is NAME, the runs, the accesses of the longest while
-   both run, the different results, and the first wrong run: its switches.
-   Exit status: 0 when none is wrong. */
+   both run, the different results, and the first wrong run: its beginner and its
+   switches. With these as arguments this run alone is made, and each access is a
+   line: its number, the processor, its instruction, the address and the value. A
+   switch comes before the access with its number.
+   Exit status: 0 when none is wrong; 2 for a wrong command or scenario. */
 
 #include <setjmp.h>
 #include <stdbool.h>
@@ -108,10 +111,18 @@ static unsigned long runs;
 static int longest;
 static bool wrong;
 
+static int beginner = -1;             /* of the one run that is made */
+
 static void fail(const char *text, unsigned value)
 {
    fprintf(stderr, "explore: %s: %06x, instruction at %06x of processor %d\n",
            text, value, m68k_get_reg(NULL, M68K_REG_PPC), current);
+   exit(2);
+}
+
+static void refuse(const char *text, int number)
+{
+   fprintf(stderr, "explore: %s %d\n", text, number);
    exit(2);
 }
 
@@ -149,6 +160,19 @@ static void access_memory(void)
       go_to_other();
    }
    accesses++;
+}
+
+/* The access has happened. */
+static void show(const char *kind, unsigned where, unsigned value, int digits)
+{
+   if (beginner < 0 || !concurrent)
+      return;
+   if (finished[1 - current])
+      printf("     -");
+   else
+      printf("%6d", accesses - 1);
+   printf(" processor %d at %06x %s %06x %0*x\n", current,
+          m68k_get_reg(NULL, M68K_REG_PPC), kind, where, digits, value);
 }
 
 /* The processor does something else than to claim without success. */
@@ -203,6 +227,7 @@ unsigned int m68k_read_memory_8(unsigned int where)
       lock_read[current] = machine.dual[LOCK];
    else
       change();
+   show("reads", where, machine.dual[where - DUAL_START], 2);
    return machine.dual[where - DUAL_START];
 }
 
@@ -217,6 +242,7 @@ void m68k_write_memory_8(unsigned int where, unsigned int value)
       if (divided)
          access_memory();
       machine.dual[LOCK] = (uint8_t)value;
+      show("writes", where, value, 2);
       if (lock_read[current] != TAKEN)
          change();
       else if (!has_failed[current])
@@ -231,16 +257,21 @@ void m68k_write_memory_8(unsigned int where, unsigned int value)
    access_memory();
    change();
    machine.dual[where - DUAL_START] = (uint8_t)value;
+   show("writes", where, value & 0xFF, 2);
 }
 
 unsigned int m68k_read_memory_16(unsigned int where)
 {
    where &= 0xFFFFFF;
    if (where - DUAL_START < DUAL_SIZE) {
+      unsigned value;
+
       access_memory();
       change();
-      return (unsigned)machine.dual[where - DUAL_START] << 8
+      value = (unsigned)machine.dual[where - DUAL_START] << 8
          | machine.dual[where - DUAL_START + 1];
+      show("reads", where, value, 4);
+      return value;
    }
    return read_byte(where) << 8 | read_byte(where + 1);
 }
@@ -253,6 +284,7 @@ void m68k_write_memory_16(unsigned int where, unsigned int value)
       change();
       machine.dual[where - DUAL_START] = (uint8_t)(value >> 8);
       machine.dual[where - DUAL_START + 1] = (uint8_t)value;
+      show("writes", where, value & 0xFFFF, 4);
       return;
    }
    write_byte(where, value >> 8);
@@ -494,7 +526,7 @@ static void explore(int first)
       }
       return;
    }
-   if (!may_add)
+   if (!may_add || beginner >= 0)
       return;
    last = switch_count > 0 ? switches[switch_count - 1] + 1 : 0;
    for (int each = last; each < count && !wrong; each++) {
@@ -526,7 +558,14 @@ static void explore_scenario(const char *name)
    sequential_count = seen_count;
    printf("%s", name);
    wrong = false;
-   for (int first = 0; first < PROCESSORS && !wrong; first++) {
+   if (beginner >= 0) {
+      printf("\n");
+      explore(beginner);
+      if (next_switch < switch_count)
+         refuse("a switch that does not come:", switches[next_switch]);
+      printf("%s%s", wrong ? "\n" : "", name);
+   }
+   for (int first = 0; first < PROCESSORS && !wrong && beginner < 0; first++) {
       switch_count = 0;
       explore(first);
    }
@@ -540,9 +579,11 @@ static void explore_scenario(const char *name)
 static void read_orders(char *text, struct orders *list)
 {
    list->count = 0;
-   for (char *word = strtok(text, " \n"); word && list->count < ORDERS;
-        word = strtok(NULL, " \n"))
+   for (char *word = strtok(text, " \n"); word; word = strtok(NULL, " \n")) {
+      if (list->count == ORDERS)
+         refuse("more orders than", ORDERS);
       list->words[list->count++] = (uint32_t)strtoul(word, NULL, 16);
+   }
 }
 
 int main(int count, char **arguments)
@@ -551,12 +592,20 @@ int main(int count, char **arguments)
    FILE *file;
    bool any_wrong = false;
 
-   if (count != 4 || !(file = fopen(arguments[1], "rb"))) {
-      fprintf(stderr, "usage: explore ROM SWITCHES whole|divided\n");
+   if (count < 4 || count > 5 + MOST_SWITCHES) {
+      fprintf(stderr, "usage: explore ROM SWITCHES whole|divided"
+              " [BEGINNER [SWITCH ...]]\n");
       return 2;
    }
-   if (fread(rom, 1, sizeof rom, file) == 0)
+   if (!(file = fopen(arguments[1], "rb"))) {
+      perror(arguments[1]);
       return 2;
+   }
+   if (fread(rom, 1, sizeof rom, file) == 0 || fgetc(file) != EOF) {
+      fprintf(stderr, "explore: %s: not 1 to %d bytes\n", arguments[1],
+              ROM_SIZE);
+      return 2;
+   }
    fclose(file);
    most_switches = atoi(arguments[2]);
    if (most_switches < 0 || most_switches > MOST_SWITCHES) {
@@ -565,6 +614,10 @@ int main(int count, char **arguments)
       return 2;
    }
    divided = strcmp(arguments[3], "divided") == 0;
+   if (count > 4)
+      beginner = atoi(arguments[4]) & 1;
+   for (int each = 5; each < count; each++)
+      switches[switch_count++] = atoi(arguments[each]);
    outcomes = calloc(OUTCOMES, sizeof *outcomes);
    ends = calloc(ENDS + 1, sizeof *ends);
    m68k_init();
@@ -593,9 +646,12 @@ int main(int count, char **arguments)
       else if (strncmp(line, "end", 3) == 0) {
          explore_scenario(name);
          any_wrong = any_wrong || wrong;
+      } else {
+         fprintf(stderr, "explore: not a line of a scenario: %s", line);
+         return 2;
       }
       if (before_count == ORDERS || after_count == ORDERS)
-         return 2;
+         refuse("more steps of a scenario than", ORDERS - 1);
    }
    return any_wrong;
 }
