@@ -2,6 +2,7 @@
 """EVI-11: what scripts/run_tests.py makes of what ran."""
 
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -208,3 +209,27 @@ def test_evi11_patience_says_that_a_command_goes_on(tmp_path):
     lines = result.stdout.splitlines()
     assert lines[:2] == ["fly: building: 10 s so far",
                          "fly: building: 20 s so far"]
+
+
+@pytest.mark.parametrize("second, is_new", [
+    ("found('other', '1', '2')", True),
+    ("pytest.skip('there is no Chromium')", False), ("assert False", False)],
+    ids=["all", "one skipped", "one failed"])
+def test_evi11_a_page_of_trials_is_new_only_when_all_have_run(
+        tmp_path, second, is_new):
+    trials, pages = tmp_path / "evidence/trials", tmp_path / "docs/evidence"
+    trials.mkdir(parents=True)
+    pages.mkdir(parents=True)
+    page = pages / "station.md"
+    page.write_text("# Station\n\n| trial | old |\n")
+    shutil.copy(ROOT / "evidence/trials/conftest.py", trials)
+    (trials / "test_two.py").write_text(
+        "import pytest\n\n\ndef test_one(found):\n"
+        "    found('one', '1', '1')\n\n\ndef test_other(found):\n"
+        f"    {second}\n")
+    done = subprocess.run(
+        [sys.executable, "-B", "-m", "pytest", "-q", "-p", "no:cacheprovider",
+         trials], env={**os.environ, "URV_RENEW": "1"}, cwd=tmp_path,
+        capture_output=True, text=True, check=False)
+    assert ("| one | 1 | 1 |" in page.read_text()) == is_new, done.stdout
+    assert ("station.md stays as it is" in done.stdout) != is_new
