@@ -388,6 +388,10 @@ def main(arguments):
         for program in PROGRAMS:
             build_and_run(program)
     sources = merged()
+    if not sources:
+        print("coverage: nothing was counted: evidence/coverage.py run counts",
+              file=sys.stderr)
+        return 1
     wrong = judge(sources)
     table = result(sources)
     print(table, end="")

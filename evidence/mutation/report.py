@@ -111,9 +111,12 @@ def problems(results, judgements, total, goal):
 
 
 def main():
+    every = fates.read(fates.RESULTS)
+    if not every:
+        print("mutation: no results: evidence/mutation/run.py makes them")
+        return 1
     today = {mutant.name for mutant in mutants.Code(fates.ROOT).mutants()}
-    results = [result for name, result in fates.read(fates.RESULTS).items()
-               if name in today]
+    results = [result for name, result in every.items() if name in today]
     judgements = judged(fates.JUDGED)
     text, total = table(results, set(judgements))
     head, _, rest = DOCUMENT.read_text(encoding="utf-8").partition(BEGIN)

@@ -113,3 +113,9 @@ def test_what_is_wrong_is_the_exit_status(
     assert bool(coverage.main(["check"])) == status
     assert coverage.main(["chekc"]) == 2
     assert coverage.main(["run", "--again"]) == 2
+
+
+def test_evi4_a_check_of_nothing_counted_is_refused(monkeypatch, capsys):
+    monkeypatch.setattr(coverage, "merged", dict)
+    assert coverage.main(["check", "--renew"]) == 1
+    assert capsys.readouterr().err.startswith("coverage: nothing was counted")

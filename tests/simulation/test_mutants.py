@@ -163,3 +163,14 @@ def test_evi3_a_survivor_is_judged_and_only_a_survivor():
             ({"b": one | {"reason": " "}}, 50, "without a reason")):
         found = list(report.problems(results, judgements, total, goal))
         assert len(found) == 1 and said in found[0]
+
+
+def test_evi3_a_report_without_results_leaves_the_page(
+        tmp_path, monkeypatch, capsys):
+    page = tmp_path / "page.md"
+    page.write_text("as it was")
+    monkeypatch.setattr(fates, "RESULTS", tmp_path / "none.jsonl")
+    monkeypatch.setattr(report, "DOCUMENT", page)
+    assert report.main() == 1
+    assert capsys.readouterr().out.startswith("mutation: no results: ")
+    assert page.read_text() == "as it was"
