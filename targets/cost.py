@@ -160,7 +160,10 @@ def main():
     found = {}
     for name in names or emulated.MACHINES:
         emulated.check_tools(emulated.MACHINES[name])
-        found.update(measured(emulated.MACHINES[name]))
+        try:
+            found.update(measured(emulated.MACHINES[name]))
+        except emulated.Failed as error:
+            sys.exit(f"cost.py: the emulator failed: {error}")
     for name, value in found.items():
         print(f"{name:<56}{value:>12,}{baseline.get(name, 0):>12,}")
     if "--renew" in sys.argv:

@@ -29,6 +29,16 @@ def test_brd5_nothing_costs_more_than_its_baseline(machine):
         == set(found)
 
 
+def test_brd5_an_emulator_that_fails_is_reported(monkeypatch):
+    def measured(machine):
+        raise emulated.Failed("no end after 300 s")
+    monkeypatch.setattr(cost, "measured", measured)
+    monkeypatch.setattr(emulated, "check_tools", lambda machine: None)
+    monkeypatch.setattr(cost.sys, "argv", ["cost.py"])
+    with pytest.raises(SystemExit, match="emulator failed: no end after 300"):
+        cost.main()
+
+
 def test_brd5_a_figure_over_its_limit_is_found():
     baseline = {"a": 10_000, "b": 1000}
     assert cost.too_large({"a": 10_300, "b": 1100}, baseline) == []
