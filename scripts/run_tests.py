@@ -211,8 +211,9 @@ def unit_share(mode, number, shares):
                 tests.append(
                     Test(now - began, ended[1] == "FAIL", ended[2]))
                 began = now
-    # Its last line is its totals, or it did not get to its end.
-    if not totals:
+    # Its last line is its totals, and its status says whether a test failed;
+    # or it did not get to its end.
+    if not totals or running.returncode != (totals[2] != "0"):
         early = f"{program} {number} {shares} ended early, status {running.returncode}"
         screen.put(f"{early}\n")
         tests.append(Test(0, True, early))

@@ -147,7 +147,9 @@ def test_unit_tests_are_counted_and_the_failed_one_is_named(place):
 
 @pytest.mark.parametrize("end", ["", "echo '1 passed'", "kill -9 $$",
                                  "echo '9 passed, 0 failed, 0 skipped'\n"
-                                 "echo 'raised PROGRAM_ERROR'"])
+                                 "echo 'raised PROGRAM_ERROR'",
+                                 "echo '9 passed, 0 failed, 0 skipped'\n"
+                                 "exit 139"])
 def test_unit_tests_that_end_early_have_failed(place, end, capsys):
     assert unit_tests(place, end) == run_tests.BROKEN
     assert run_tests.tests[-1].failed
