@@ -19,6 +19,9 @@
 set -eu
 cd "$(dirname "$0")/.."
 
+# Below are looked for English words of apt-get and pip.
+export LC_ALL=C.UTF-8
+
 target=${1:-}
 
 # The number of this Debian, when packages are to come from it: alr exec has

@@ -40,7 +40,7 @@ def set_up(tmp_path):
 
     # The user may have no right to real-time priorities.
     def run(target, alire=False, path="/usr/bin:/bin", chrt="exit 0",
-            **scripts):
+            LC_ALL="", **scripts):
         scripts["chrt"] = chrt
         for name, script in scripts.items():
             command = commands / name.replace("_", "-")
@@ -50,6 +50,7 @@ def set_up(tmp_path):
             ["scripts/setup.sh", target], cwd=tmp_path, text=True,
             capture_output=True, check=False, timeout=60,
             env={"PATH": f"{commands}:{path}", "HOME": str(tmp_path),
+                 "LC_ALL": LC_ALL,
                  **({"ALIRE": "True"} if alire else {})})
     return run
 
@@ -133,6 +134,19 @@ def test_no_network_is_called_that(set_up, apt_get):
     assert result.stdout.startswith("real_time: installing gnat-")
     assert len(result.stderr.splitlines()) == 1
     assert result.stderr.startswith("setup: no network: apt-get ")
+
+
+@on_debian
+def test_evi11_apt_get_is_understood_in_each_language(set_up):
+    """It translates the lines that show that it reached something."""
+    apt_get = ('case $LC_ALL in C*) get=Get no="Could not resolve" ;;'
+               ' *) get=Holen no="Konnte nicht" ;; esac;'
+               ' echo "$get:1 http://deb.debian.org";'
+               ' [ "$1" = update ] || { echo "$no"; exit 100; }')
+    result = set_up("real_time", **MISSING, id="echo 0", apt_get=apt_get,
+                    LC_ALL="de_DE.UTF-8")
+    assert result.stderr.startswith(
+        "setup: no network: apt-get install reached nothing.")
 
 
 @on_debian
