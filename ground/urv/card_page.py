@@ -33,10 +33,13 @@ def page(deck, name):
 
 
 def spectrum(values):
-    """Amplitudes by frequency in Hz."""
+    """Amplitudes by frequency in Hz, from one period in the input's time or
+    1 Hz: a slower sine is hardly told from a constant."""
     size = max(len(values), SHORTEST)
-    return (numpy.fft.rfftfreq(size, 1 / cards.FRAMES_PER_S),
-            2 * abs(numpy.fft.rfft(values, size)) / len(values))
+    hertz = numpy.fft.rfftfreq(size, 1 / cards.FRAMES_PER_S)
+    sizes = 2 * abs(numpy.fft.rfft(values, size)) / len(values)
+    shown = hertz >= min(1, cards.FRAMES_PER_S / len(values))
+    return hertz[shown], sizes[shown]
 
 
 def _card(card):

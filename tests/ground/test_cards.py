@@ -13,7 +13,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "ground"))
 
-from urv import card_signals, cards, faults  # noqa: E402
+from urv import card_page, card_signals, cards, faults  # noqa: E402
 
 GOOD = """
 [[card]]
@@ -213,6 +213,18 @@ def test_fti7_the_commands_print_and_plot(tmp_path):
     assert [line.split()[:3] for line in lines] == [
         [str(at), "block", "500"] for at in (1000, 1200, 1400)]
     assert run("orders", path, "--choose", 5).returncode == 2
+
+
+def test_fti7_a_spectrum_has_the_amplitudes_of_the_input():
+    """None is twice the input's mean, as that of 0 Hz was."""
+    times = numpy.arange(500) / 50
+    hertz, sizes = card_page.spectrum(3 * numpy.sin(2 * numpy.pi * times))
+    assert hertz[sizes.argmax()] == 1
+    assert sizes.max() == pytest.approx(3)
+    hertz, sizes = card_page.spectrum(numpy.full(200, 10.0))
+    assert hertz[0] >= 0.25
+    assert sizes.max() < 10
+    assert len(card_page.spectrum(numpy.ones(1))[0]) > 0
 
 
 def test_fti7_the_plot_is_dark_where_all_else_is(tmp_path, browser):
