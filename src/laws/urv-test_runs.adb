@@ -48,33 +48,30 @@ package body URV.Test_Runs with SPARK_Mode is
           then Selected'Result.Place = This.Place)
        and then Is_Selected (This, Selected'Result, Deck, Sight);
 
-   function Started (This : Run; Deck : Card_Deck; Sight : Situation)
-                     return Run
-   is
-     (if Start_Of (This, Deck, Sight) /= Well
-      then Ended (This, This.Chosen, Start_Of (This, Deck, Sight))
-      else
-        (This with delta
-           Running    => This.Chosen,
-           Frame      => 0,
-           Phase      => 0,
-           Roll_Rest  => Demand_Of (Sight.Heard (Roll)),
-           Pitch_Rest => Demand_Of (Sight.Heard (Pitch)),
-           Yaw_Rest   => Demand_Of (Sight.Heard (Yaw)),
-           Last_Run   => This.Chosen,
-           Reason     => Well,
-           Place      => Place_Of (Deck (This.Chosen))))
-   with Global => null;
-
    function Selected (This : Run; Deck : Card_Deck; Sight : Situation)
                       return Run
    is
       Reason : Verdict;
    begin
       if This.Running = 0 then
+         if not Is_Started (This, Sight) then
+            return This;
+         end if;
+         Reason := Start_Of (This, Deck, Sight);
+         if Reason /= Well then
+            return Ended (This, This.Chosen, Reason);
+         end if;
          return
-           (if Is_Started (This, Sight) then Started (This, Deck, Sight)
-            else This);
+           (This with delta
+              Running    => This.Chosen,
+              Frame      => 0,
+              Phase      => 0,
+              Roll_Rest  => Demand_Of (Sight.Heard (Roll)),
+              Pitch_Rest => Demand_Of (Sight.Heard (Pitch)),
+              Yaw_Rest   => Demand_Of (Sight.Heard (Yaw)),
+              Last_Run   => This.Chosen,
+              Reason     => Well,
+              Place      => Place_Of (Deck (This.Chosen)));
       end if;
       Reason := End_Of (This, Deck, Sight);
       case Reason is

@@ -179,12 +179,15 @@ package URV.Test_Runs with Pure, SPARK_Mode is
                       return Verdict
    is
      (if not Is_Ready (Deck, This.Chosen) then Not_Loaded
-      elsif Judged (Deck (This.Chosen), Sight) /= Well
-      then Judged (Deck (This.Chosen), Sight)
-      elsif This.Added /= Nothing_Added
-        and then Place_Of (Deck (This.Chosen)) /= This.Place
-      then Inputs_Remain
-      else Well)
+      else
+        (declare
+           Found : constant Verdict := Judged (Deck (This.Chosen), Sight);
+         begin
+           (if Found /= Well then Found
+            elsif This.Added /= Nothing_Added
+              and then Place_Of (Deck (This.Chosen)) /= This.Place
+            then Inputs_Remain
+            else Well)))
    with Global => null;
 
    --  The reason for which the running card ends in a frame; Well if it goes
@@ -195,11 +198,15 @@ package URV.Test_Runs with Pure, SPARK_Mode is
      (if not Is_Ready (Deck, This.Running)
         or else Place_Of (Deck (This.Running)) /= This.Place
       then Not_Loaded
-      elsif Judged (Deck (This.Running), Sight) /= Well
-      then Judged (Deck (This.Running), Sight)
-      elsif not Are_Resting (This, Sight.Heard) then Stick_Moved
-      elsif This.Frame >= Length_Of (Deck (This.Running)) - 1 then Complete
-      else Well)
+      else
+        (declare
+           Found : constant Verdict := Judged (Deck (This.Running), Sight);
+         begin
+           (if Found /= Well then Found
+            elsif not Are_Resting (This, Sight.Heard) then Stick_Moved
+            elsif This.Frame >= Length_Of (Deck (This.Running)) - 1
+            then Complete
+            else Well)))
    with Global => null;
 
    --  The inputs of this frame, by their place.
