@@ -167,7 +167,8 @@ def test_sec10_workers_of_the_campaign_run_no_code_of_the_current_folder(
     for name in ("evidence/campaign", "evidence/safety", "ground/urv"):
         shutil.copytree(ROOT / name, copy / name)
     (copy / "bin").mkdir()
-    for name in ("evidence/flight_numbers.py", "bin/urv_sim"):
+    for name in ("evidence/flight_numbers.py", "evidence/whole_numbers.py",
+                 "bin/urv_sim"):
         shutil.copy(ROOT / name, copy / name)
     ended = subprocess.run(
         [sys.executable, copy / "evidence/campaign/run.py", "tiny", "--only",
