@@ -585,6 +585,8 @@ package body Sim.Engine is
       end loop;
    end Set_Sensors;
 
+   function Awaited_Characters return Natural is (Awaited (Link_Line));
+
    function Link return Link_Counts is
       GSC : constant Telemetry.Boards.Statistics := Tally (Ground);
       MCS : constant Telemetry.Boards.Statistics := Tally (Aircraft);

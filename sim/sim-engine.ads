@@ -44,4 +44,7 @@ package Sim.Engine is
    --  The link's counts so far.
    function Link return Link_Counts;
 
+   --  The number of characters that a fault waits for.
+   function Awaited_Characters return Natural;
+
 end Sim.Engine;

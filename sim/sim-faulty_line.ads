@@ -76,6 +76,10 @@ package Sim.Faulty_Line is
       Heard    : out Delivery)
    with Inline;
 
+   --  The number of characters that a fault waits for: after its time fewer
+   --  were sent.
+   function Awaited (From : Line) return Natural;
+
 private
 
    --  The number of characters that a direction has carried.
@@ -132,5 +136,9 @@ private
       Paths   : Both_Paths;
       Middles : Two_Middles;
    end record;
+
+   function Awaited (From : Line) return Natural is
+     (Natural (From.Paths (Up).Due.Length)
+      + Natural (From.Paths (Down).Due.Length));
 
 end Sim.Faulty_Line;

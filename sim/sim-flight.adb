@@ -147,7 +147,15 @@ package body Sim.Flight is
    function Flight_Length (Chosen : Choices) return Microseconds;
 
    --  Warns of faults in the file that begin only after the flight's end.
+   function Image (Value : Natural) return String is
+     (Text_Numbers.Image (Long_Long_Integer (Value)));
+
+   procedure Warn_Of_Faults (Chosen : Choices; Text : String);
+
+   --  Faults that begin after the flight, and those of characters that were
+   --  not sent.
    procedure Warn_Of_Late_Faults (Chosen : Choices; Length : Microseconds);
+   procedure Warn_Of_Awaited_Characters (Chosen : Choices);
 
    function Flight_Length (Chosen : Choices) return Microseconds is
       Needed : constant Microseconds :=
@@ -256,26 +264,41 @@ package body Sim.Flight is
          Chosen.Schedule, Errors, Measured, Truth, Shown);
    end Start_Aircraft;
 
+   procedure Warn_Of_Faults (Chosen : Choices; Text : String) is
+      Screen : Text_Output.Writer;
+   begin
+      if not Chosen.Quiet then
+         Text_Output.Attach_Screen (Screen, Is_Error => True);
+         Text_Output.Put_Line
+           (Screen, "urv_sim: warning: --faults: " & Text);
+         Text_Output.Close (Screen);
+      end if;
+   end Warn_Of_Faults;
+
    procedure Warn_Of_Late_Faults (Chosen : Choices; Length : Microseconds) is
       Late  : constant Natural := Sim.Faults.Number_From (Faults, Length);
       Whole : constant Natural := Sim.Faults.Number_From (Faults, 0);
-
-      function Image (Value : Natural) return String is
-        (Text_Numbers.Image (Long_Long_Integer (Value)));
-
-      Screen : Text_Output.Writer;
    begin
-      if Late > 0 and then not Chosen.Quiet then
-         Text_Output.Attach_Screen (Screen, Is_Error => True);
-         Text_Output.Put_Line
-           (Screen,
-            "urv_sim: warning: --faults: " & Image (Late) & " of "
-            & Image (Whole) & " do not begin before the flight ends, at "
+      if Late > 0 then
+         Warn_Of_Faults
+           (Chosen,
+            Image (Late) & " of " & Image (Whole)
+            & " do not begin before the flight ends, at "
             & Text_Numbers.Image (Long_Long_Integer (Length / 1000))
             & " ms");
-         Text_Output.Close (Screen);
       end if;
    end Warn_Of_Late_Faults;
+
+   procedure Warn_Of_Awaited_Characters (Chosen : Choices) is
+      Awaited : constant Natural := Engine.Awaited_Characters;
+   begin
+      if Awaited > 0 then
+         Warn_Of_Faults
+           (Chosen,
+            "the flight ended before " & Image (Awaited)
+            & " of the characters to disturb were sent");
+      end if;
+   end Warn_Of_Awaited_Characters;
 
    procedure Load_Inputs (Chosen : Choices) is
    begin
@@ -793,6 +816,7 @@ package body Sim.Flight is
       JSBSim.Stop;
 
       Write_Results (Chosen, Flown, Elapsed, Is_Over => True);
+      Warn_Of_Awaited_Characters (Chosen);
 
    exception
       when others =>

@@ -381,6 +381,21 @@ def test_sim2_faults_after_the_end_are_warned_of(urv_sim, write):
     assert (result.returncode, result.stderr) == (0, "")
 
 
+def test_sim2_faults_of_characters_that_are_not_sent_are_warned_of(
+        urv_sim, write):
+    """So were these."""
+    write("faults.txt", "0 up drop 3\n500 up flip 100000 1\n"
+                        "500 down flip 90000 1\n")
+    result = urv_sim("fly", "--seconds", "1", "--faults", "faults.txt")
+    assert result.returncode == 0
+    assert result.stderr == (
+        "urv_sim: warning: --faults: the flight ended before 2 of the"
+        " characters to disturb were sent\n")
+    result = urv_sim("fly", "--quiet", "--seconds", "1",
+                     "--faults", "faults.txt")
+    assert (result.returncode, result.stderr) == (0, "")
+
+
 def frames_so_far(folder):
     """The frames of a flight, by the summary that it has written last."""
     try:
