@@ -20,8 +20,9 @@ package body Sim.Controllers is
    Started   : constant array (Node) of Event :=
      (Ground => GSC_Started, Aircraft => MCS_Started);
 
-   --  From that tick of the node's clock on, its oscillator is so many ticks
-   --  ahead: after frames of 9 or 11 ticks.
+   --  The difference between the ticks of a node's oscillator and those of its
+   --  clock, valid from one tick of the clock on. Frames of 9 or 11 ticks
+   --  change it.
    type Correction is record
       From  : Clock_Tick;
       Ahead : Microseconds'Base;

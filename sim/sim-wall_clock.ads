@@ -1,11 +1,11 @@
 --  SPDX-License-Identifier: Apache-2.0
 
---  The clock on the wall, for the pace and the speed of a flight. A change of
---  the machine's date does not move it.
+--  Real time, for the pace and the speed of a flight. It is monotonic: setting
+--  the machine's date does not change it.
 
 package Sim.Wall_Clock is
 
-   --  The time since an unknown instant before the program's start.
+   --  The time since a fixed instant, which is not specified.
    function Now return Duration;
 
    --  Returns at that time, or earlier when a signal has arrived.

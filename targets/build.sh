@@ -191,5 +191,5 @@ done
    "$node.elf" "$node.raw"
 python3 "$root/targets/image_sum.py" "$node.raw" "$node.bin" \
    "$rom_size" "$order"
-# Others may read the last ones meanwhile: each file is replaced as a whole.
+# Another process may read the present files: each is replaced as a whole.
 mv -f "$node.elf" "$node.raw" "$node.bin" ..
