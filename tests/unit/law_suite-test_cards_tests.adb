@@ -32,6 +32,7 @@ package body Test_Cards_Tests is
    procedure Harmonics;
    procedure Rates;
    procedure Switch_Starts;
+   procedure Keeps_Phase;
    procedure Ends_By;
    procedure Limits_Alone;
    procedure Next_Card;
@@ -399,6 +400,21 @@ package body Test_Cards_Tests is
       Fly (Item, 1, Switched);
       Expect ("again", Is_Running (Item.Run), True);
    end Switch_Starts;
+
+   --  The phase of a running sweep is the sum of its frequencies before.
+   procedure Keeps_Phase is
+      Item : Aboard       := Started (Sweep_Card, 1);
+      Sum  : Phase_Number := 0;
+   begin
+      for Frame in Frame_Count range 0 .. 400 loop
+         Expect_Number ("frame", Item.Run.Frame, Frame);
+         Expect_Number
+           ("phase" & Frame'Image, Integer (Item.Run.Phase), Integer (Sum));
+         Sum := Next_Phase (Sweep_Card, Frame, Sum);
+         Fly (Item, 1, Switched);
+      end loop;
+      Expect ("it turns", Sum > 0, True);
+   end Keeps_Phase;
 
    procedure Ends_By is
 
@@ -824,6 +840,9 @@ package body Test_Cards_Tests is
       Add (Suite, "FTI-2 slots are taken, cleared, chosen", Slots'Access);
       Add (Suite, "FTI-3 shapes of the pulses", Pulse_Shapes'Access);
       Add (Suite, "FTI-3 frequencies of the sweeps", Sweeps'Access);
+      Add
+        (Suite, "FTI-3 a running sweep has the phase of its frame",
+         Keeps_Phase'Access);
       Add (Suite, "FTI-3 harmonics are disjoint", Harmonics'Access);
       Add (Suite, "FTI-3 an input has its rate and amplitude", Rates'Access);
       Add (Suite, "FTI-4 only switch 5 starts a card", Switch_Starts'Access);
