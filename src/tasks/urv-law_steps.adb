@@ -4,20 +4,6 @@ with URV.Test_Cards; use type URV.Test_Cards.Input_Place;
 
 package body URV.LAW_Steps with SPARK_Mode is
 
-   --  The laws use new commands, and keep the last ones. They wait until new
-   --  ones come.
-   function Is_Heard
-     (Before, After : Laws.Memory; Commands : Uplink_Buffer) return Boolean
-   is
-     ((for all Name in Uplink_Item =>
-         After.Heard (Name) =
-           (if Is_Old (Commands) then Before.Heard (Name)
-            else Commands (Name)))
-      and then
-        (if Before.Link.State = Waiting and then Is_Old (Commands)
-         then After.Link.State = Waiting))
-   with Ghost, Global => null;
-
    --  A test card's frame. Its inputs are those of this frame. Is_Moving: the
    --  servos or sticks have inputs, or had them in the last frame. Without a
    --  card the facts on which one depends are not collected.
@@ -95,49 +81,6 @@ package body URV.LAW_Steps with SPARK_Mode is
       end if;
    end Run_Cards;
 
-   --  The laws' frame and the cards'. By_Card: Is_Moving of the cards.
-   procedure Fly_Laws
-     (This      : in out Laws.Memory;
-      Cards     : in out Test_Runs.Aboard;
-      Watched   : Monitor;
-      Used      : Settings;
-      Got       : Inputs;
-      By_Card   : out Boolean;
-      Has_Ended : out Boolean)
-   with
-     Global => null,
-     Post   =>
-       Is_Frame
-         (This'Old, This, Commands_Of (Got), Sensors_Of (Got), Used.By)
-       and then Cards.Deck = Cards'Old.Deck
-       and then Are_Conducted
-         (Test_Runs.Is_Running (Cards.Run'Old),
-          Test_Runs.Is_Running (Cards.Run), This, Watched, Got, Has_Ended)
-       and then Is_Heard (This'Old, This, Commands_Of (Got))
-       and then
-         (if By_Card then not Is_Cut (This, Got)
-          else Test_Runs.To_Servos (Cards.Run) = Nothing_Added
-            and then Test_Runs.To_Sticks (Cards.Run) = No_Sticks);
-
-   procedure Fly_Laws
-     (This      : in out Laws.Memory;
-      Cards     : in out Test_Runs.Aboard;
-      Watched   : Monitor;
-      Used      : Settings;
-      Got       : Inputs;
-      By_Card   : out Boolean;
-      Has_Ended : out Boolean)
-   is
-      Commands : constant Uplink_Buffer := Commands_Of (Got);
-      Seen     : Observation;
-   begin
-      Observe (This, Commands, Sensors_Of (Got), Used.By, Seen);
-      Run_Cards (Cards, This, Watched, Got, By_Card, Has_Ended);
-      Steer
-        (This, Commands, Seen, Test_Runs.To_Sticks (Cards.Run),
-         Test_Runs.To_Commands (Cards.Run), Used.Table);
-   end Fly_Laws;
-
    procedure Fly
      (This      : in out Laws.Memory;
       Cards     : in out Test_Runs.Aboard;
@@ -149,11 +92,17 @@ package body URV.LAW_Steps with SPARK_Mode is
    is
       Before   : constant Laws.Memory := This with Ghost;
       Commands : constant Uplink_Buffer := Commands_Of (Got);
+      Seen     : Observation;
    begin
       if Used.On then
-         Fly_Laws
-           (This, Cards, Watched, Used, Got, Result.By_Card, Has_Ended);
+         Observe (This, Commands, Sensors_Of (Got), Used.By, Seen);
+         Run_Cards (Cards, This, Watched, Got, Result.By_Card, Has_Ended);
          Result.Sticks := Test_Runs.To_Sticks (Cards.Run);
+         Steer
+           (This, Commands, Seen, Result.Sticks,
+            Test_Runs.To_Commands (Cards.Run), Used.Table);
+         pragma Assert
+           (Is_Frame (Before, This, Commands, Sensors_Of (Got), Used.By));
          Result.By_Law := not Is_All_Stick (This);
          Result.Message :=
            (if Result.By_Card and then not Result.By_Law
